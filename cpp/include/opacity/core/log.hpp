@@ -1,0 +1,14 @@
+// Where messages go that are not errors: OpenGL's debug output, and what a context search tried.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+namespace opacity {
+
+enum class LogLevel { debug, info, warning, error };
+
+// Called on the thread that renders; must not throw. An empty Logger drops every message.
+using Logger = std::function<void(LogLevel, std::string_view message)>;
+
+}  // namespace opacity

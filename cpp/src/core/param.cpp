@@ -1,0 +1,185 @@
+#include "opacity/core/param.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "opacity/core/error.hpp"
+
+namespace opacity {
+namespace {
+
+std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    return text;
+}
+
+// Numbers cross freely where nothing is lost: 1 is a float, 2.0 is an int, true is neither.
+bool as_double(const ParamValue& value, double& number) {
+    if (const auto* i = std::get_if<std::int64_t>(&value)) return number = double(*i), true;
+    if (const auto* d = std::get_if<double>(&value)) return number = *d, true;
+    return false;
+}
+
+}  // namespace
+
+std::string to_string(const ParamValue& value) {
+    if (const auto* b = std::get_if<bool>(&value)) return *b ? "true" : "false";
+    if (const auto* i = std::get_if<std::int64_t>(&value)) return std::to_string(*i);
+    if (const auto* d = std::get_if<double>(&value)) return number_text(*d);
+    return "\"" + std::get<std::string>(value) + "\"";
+}
+
+ParamBase::ParamBase(ParamOwner& owner, std::string name, std::string doc)
+    : Source{std::move(name)}, owner_{owner}, doc_{std::move(doc)} {
+    owner.params_.push_back(this);
+}
+
+void ParamBase::reject(const ParamValue& value) const {
+    const bool is_text = std::holds_alternative<std::string>(value);
+    const bool is_number = !is_text && !std::holds_alternative<bool>(value);
+    const bool wants_number = type() == "int" || type() == "float";
+    const char* problem = is_number && wants_number ? " is outside " : " is not one of ";
+    throw ParameterError(owner_.name() + "." + name() + " = " + to_string(value) + problem + range(),
+                         "choose " + range() +
+                             "; pyopacity techniques lists every parameter with its range");
+}
+
+ParamBase& ParamOwner::param(std::string_view name) const {
+    std::vector<std::string> names;
+    for (ParamBase* param : params_) {
+        if (param->name() == name) return *param;
+        names.push_back(param->name());
+    }
+    const std::string list = std::accumulate(
+        names.begin(), names.end(), std::string{},
+        [](const std::string& a, const std::string& b) { return a.empty() ? b : a + ", " + b; });
+    const std::string nearest = nearest_name(name, names);
+    throw ParameterError(name_ + " has no parameter \"" + std::string{name} + "\"",
+                         nearest.empty() ? "it has no parameters: leave it out"
+                                         : "did you mean \"" + nearest + "\"? It has " + list);
+}
+
+template <>
+std::string Param<int>::type() const {
+    return "int";
+}
+template <>
+std::string Param<double>::type() const {
+    return "float";
+}
+template <class T>
+std::string Param<T>::range() const {
+    return number_text(double(range_.min)) + ".." + number_text(double(range_.max));
+}
+template <>
+ParamValue Param<int>::value() const {
+    return std::int64_t{value_};
+}
+template <>
+ParamValue Param<double>::value() const {
+    return value_;
+}
+template <>
+ParamValue Param<int>::default_value() const {
+    return std::int64_t{default_};
+}
+template <>
+ParamValue Param<double>::default_value() const {
+    return default_;
+}
+
+template <class T>
+void Param<T>::assign(const ParamValue& value) {
+    double number = 0.0;
+    if (!as_double(value, number)) reject(value);
+    if (!(number >= double(range_.min) && number <= double(range_.max))) reject(value);
+    const T converted = static_cast<T>(number);
+    if (double(converted) != number) reject(value);
+    if (converted == value_) return;
+    value_ = converted;
+    touch();
+}
+
+template <>
+void Param<int>::feed(Feeder& feeder) const {
+    feeder.uniform("u_" + name(), value_);
+}
+template <>
+void Param<double>::feed(Feeder& feeder) const {
+    feeder.uniform("u_" + name(), float(value_));
+}
+
+template class Param<int>;
+template class Param<double>;
+
+void Param<bool>::assign(const ParamValue& value) {
+    const auto* b = std::get_if<bool>(&value);
+    if (!b) reject(value);
+    if (*b == value_) return;
+    value_ = *b;
+    touch();
+}
+
+std::string Choice::range() const {
+    std::string list;
+    for (const std::string& choice : choices_) list += (list.empty() ? "\"" : ", \"") + choice + "\"";
+    return list;
+}
+
+void Choice::assign(const ParamValue& value) {
+    const auto* text = std::get_if<std::string>(&value);
+    std::size_t index = choices_.size();
+    for (std::size_t i = 0; text && i < choices_.size(); ++i)
+        if (choices_[i] == *text) index = i;
+    if (index == choices_.size()) reject(value);
+    if (index == index_) return;
+    index_ = index;
+    touch();
+}
+
+std::string AutoParam::range() const {
+    return "\"auto\" or " + number_text(range_.min) + ".." + number_text(range_.max);
+}
+
+ParamValue AutoParam::value() const {
+    if (is_auto()) return std::string{"auto"};
+    return value_;
+}
+
+void AutoParam::assign(const ParamValue& value) {
+    double number = -1.0;
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        if (*text != "auto") reject(value);
+    } else if (!as_double(value, number) || !(number >= range_.min && number <= range_.max)) {
+        reject(value);
+    }
+    if (number == value_) return;
+    value_ = number;
+    touch();
+}
+
+std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
+    std::string best;
+    std::size_t best_edits = std::numeric_limits<std::size_t>::max();
+    for (const std::string& candidate : candidates) {
+        // Levenshtein distance, one row at a time.
+        std::vector<std::size_t> row(candidate.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        for (std::size_t i = 0; i < name.size(); ++i) {
+            std::size_t diagonal = std::exchange(row[0], i + 1);
+            for (std::size_t j = 0; j < candidate.size(); ++j) {
+                const std::size_t replaced = diagonal + (name[i] != candidate[j]);
+                diagonal = row[j + 1];
+                row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
+            }
+        }
+        if (row.back() < best_edits) best_edits = row.back(), best = candidate;
+    }
+    return best;
+}
+
+}  // namespace opacity

@@ -1,0 +1,78 @@
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "opacity/core/error.hpp"
+#include "opacity/core/param.hpp"
+
+using namespace opacity;
+
+namespace {
+
+struct Owner : ParamOwner {
+    Owner() : ParamOwner{"owner"} {}
+    Param<int> layers{*this, "layers", 16, {1, 64}, "Layers."};
+    Param<double> ratio{*this, "ratio", 0.5, {0.0, 1.0}, "Ratio."};
+    Param<bool> fast{*this, "fast", true, "Fast."};
+    Choice split{*this, "split", {"auto", "linear"}, "Split."};
+    AutoParam bias{*this, "bias", {0.0, 10.0}, "Bias."};
+};
+
+template <class Action>
+std::string message_of(Action action) {
+    try {
+        action();
+    } catch (const ParameterError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a value outside the range names parameter, value and range, and changes nothing") {
+    Owner owner;
+    const Revision before = owner.layers.revision();
+    CHECK(message_of([&] { owner.layers.assign(std::int64_t{400}); }).find("owner.layers = 400 is outside 1..64") == 0);
+    CHECK_THROWS_AS(owner.layers.assign(0.0), ParameterError);
+    CHECK_THROWS_AS(owner.layers.assign(2.5), ParameterError);
+    CHECK_THROWS_AS(owner.layers.assign(true), ParameterError);
+    CHECK_THROWS_AS(owner.layers.assign(std::string{"8"}), ParameterError);
+    CHECK_THROWS_AS(owner.ratio.assign(std::numeric_limits<double>::quiet_NaN()), ParameterError);
+    CHECK_THROWS_AS(owner.ratio.assign(std::numeric_limits<double>::infinity()), ParameterError);
+    CHECK_THROWS_AS(owner.fast.assign(std::int64_t{1}), ParameterError);
+    CHECK_THROWS_AS(owner.bias.assign(-1.0), ParameterError);
+    CHECK_THROWS_AS(owner.bias.assign(std::string{"automatic"}), ParameterError);
+    CHECK(message_of([&] { owner.split.assign(std::string{"log"}); }).find("\"auto\", \"linear\"") != std::string::npos);
+    CHECK(owner.layers.get() == 16);
+    CHECK(owner.layers.revision() == before);
+}
+
+TEST_CASE("numbers cross where nothing is lost, and the same value moves no revision") {
+    Owner owner;
+    owner.layers.assign(8.0);
+    CHECK(owner.layers.get() == 8);
+    owner.ratio.assign(std::int64_t{1});
+    CHECK(owner.ratio.get() == 1.0);
+    const Revision before = owner.layers.revision();
+    owner.layers.assign(std::int64_t{8});
+    CHECK(owner.layers.revision() == before);
+    owner.bias.assign(std::int64_t{2});
+    CHECK_FALSE(owner.bias.is_auto());
+    owner.bias.assign(std::string{"auto"});
+    CHECK(owner.bias.is_auto());
+}
+
+TEST_CASE("both ends of every range are inside it") {
+    Owner owner;
+    for (int ends : {1, 64}) CHECK_NOTHROW(owner.layers.assign(std::int64_t{ends}));
+    for (double ends : {0.0, 1.0}) CHECK_NOTHROW(owner.ratio.assign(ends));
+}
+
+TEST_CASE("a misspelt name suggests the nearest") {
+    Owner owner;
+    CHECK(message_of([&] { owner.param("layesr"); }).find("did you mean \"layers\"") != std::string::npos);
+    CHECK(&owner.param("split") == &owner.split);
+    CHECK(nearest_name("boundig_opacity_maps", {"exact", "bounding_opacity_maps"}) == "bounding_opacity_maps");
+    CHECK(nearest_name("x", {}).empty());
+}
