@@ -1,0 +1,32 @@
+// Shapes from files, and generated ones.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "opacity/core/image.hpp"
+#include "opacity/scene/shape.hpp"
+
+namespace opacity {
+
+// A .hair or .obj file, or "demo:hair" (options as in "demo:hair?segments=1000000&seed=7").
+// FileFormatError for a file that lies about its content; memory never far exceeds the file's size.
+std::vector<ShapePtr> load(const std::string& path_or_name);
+
+// cyHair strands: transparency t becomes opacity 1 - t, thickness the width.
+std::vector<ShapePtr> load_hair(const std::filesystem::path& path);
+// One mesh for each material in use, so that translucent and opaque parts stay apart; polygons
+// become fans. Of the .mtl, colour (Kd) and constant opacity (d, Tr) are read; textures are not.
+std::vector<ShapePtr> load_obj(const std::filesystem::path& path);
+
+// Hair over a head on a ground, in this order, in centimetres with z up; the same for the same seed
+// on every machine. The ground does not cast.
+std::vector<ShapePtr> demo_hair(std::size_t segments = 150'000, unsigned seed = 1);
+
+// An 8-bit sRGB PNG with straight alpha; written beside the target first, so that no half file is
+// ever left. ParameterError where the picture is empty or the path cannot be written.
+void save_png(const std::filesystem::path& path, const Image& image);
+
+}  // namespace opacity

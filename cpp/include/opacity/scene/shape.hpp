@@ -1,0 +1,86 @@
+// What strands and meshes share: opacity, colour, a transform, the flags, and one revision for each
+// part that can change alone.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "opacity/core/math.hpp"
+#include "opacity/core/source.hpp"
+#include "opacity/scene/positions.hpp"
+
+namespace opacity {
+
+// Every setter checks first: one that throws a ParameterError leaves the shape as it was.
+class Shape {
+   public:
+    Shape(const Shape&) = delete;
+    Shape& operator=(const Shape&) = delete;
+    virtual ~Shape() = default;
+
+    // In the shape's own coordinates, everything that it can cover: widths included.
+    virtual Box local_bounds() const = 0;
+    virtual const char* kind() const = 0;
+    Box bounds() const { return local_bounds().transformed(transform_); }
+
+    const Positions& points() const { return points_; }
+    void set_points(Positions points);  // the number of points stays
+
+    // One value for all, or one a point. Opacity in [0, 1], colour linear RGB in [0, inf).
+    const std::vector<float>& opacity() const { return opacity_; }
+    const std::vector<float3>& color() const { return color_; }
+    void set_opacity(std::vector<float> opacity);
+    void set_color(std::vector<float3> color);
+
+    // Shape to world, affine and invertible, in float64.
+    const double4x4& transform() const { return transform_; }
+    void set_transform(const double4x4& transform);
+    // The factor by which the transform scales lengths: |det|^(1/3).
+    double scale() const;
+
+    bool casts() const { return casts_; }
+    bool receives() const { return receives_; }
+    void set_casts(bool casts);
+    void set_receives(bool receives);
+
+    // Opaque shapes go to the opaque depth map, translucent ones to the opacity maps; a shape whose
+    // opacity is 0 everywhere casts nothing.
+    virtual bool opaque() const = 0;
+    bool invisible_to_light() const;
+
+    // One revision for each part: geometry is points, widths and connectivity.
+    struct Revisions {
+        Revision geometry = next_revision(), transform = next_revision(), opacity = next_revision(),
+                 color = next_revision(), flags = next_revision();
+    };
+    const Revisions& revisions() const { return revisions_; }
+    // Held by setters, and by a renderer while it copies: one thread may change what another draws.
+    std::unique_lock<std::mutex> lock() const { return std::unique_lock{mutex_}; }
+
+   protected:
+    Shape(Positions points, std::vector<float> opacity, std::vector<float3> color);
+    void check_attribute_size(const char* name, std::size_t size) const;
+    // Called with the lock held, after set_points: what is made from the points is made again.
+    virtual void points_changed() {}
+
+    Positions points_;
+    Box point_bounds_;
+    Revisions revisions_;
+    // Of all points, so that nobody has to look at each of them to sort shapes.
+    float min_opacity_ = 0.f, max_opacity_ = 0.f;
+
+   private:
+    void assign_opacity(std::vector<float> opacity);
+
+    std::vector<float> opacity_;
+    std::vector<float3> color_;
+    double4x4 transform_ = identity;
+    bool casts_ = true, receives_ = true;
+    mutable std::mutex mutex_;
+};
+
+using ShapePtr = std::shared_ptr<Shape>;
+
+}  // namespace opacity

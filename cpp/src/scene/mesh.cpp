@@ -1,0 +1,103 @@
+#include "opacity/scene/mesh.hpp"
+
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <string>
+
+#include "opacity/core/error.hpp"
+#include "scene/check.hpp"
+
+namespace opacity {
+namespace {
+
+void check_triangles(const std::vector<std::uint32_t>& triangles, std::size_t points) {
+    if (triangles.size() % 3 != 0)
+        throw ParameterError("triangles holds " + std::to_string(triangles.size()) + " indices",
+                             "pass three a triangle");
+    const auto bad = std::find_if(triangles.begin(), triangles.end(),
+                                  [points](std::uint32_t index) { return index >= points; });
+    if (bad == triangles.end()) return;
+    const auto at = bad - triangles.begin();
+    throw ParameterError("triangles[" + std::to_string(at / 3) + "][" + std::to_string(at % 3) +
+                             "] = " + std::to_string(*bad) + " for " + std::to_string(points) +
+                             " points",
+                         "pass indices from 0, less than the number of points");
+}
+
+// A point of no triangle, or of degenerate ones only, has no side: it looks up, so that nothing
+// that is drawn ever holds a NaN.
+float3 unit_or_up(const glm::dvec3& n) {
+    const double length = glm::length(n);
+    if (!(length > 0.0)) return {0.f, 0.f, 1.f};
+    return {float(n.x / length), float(n.y / length), float(n.z / length)};
+}
+
+glm::dvec3 vec(const double3& p) {
+    return glm::make_vec3(p.data());
+}
+glm::dvec3 vec(const float3& n) {
+    return {n[0], n[1], n[2]};
+}
+
+}  // namespace
+
+Mesh::Mesh(Positions positions, std::vector<std::uint32_t> triangles, std::vector<float3> normals,
+           std::vector<float> opacity, std::vector<float3> color)
+    : Shape{std::move(positions), std::move(opacity), std::move(color)},
+      triangles_{std::move(triangles)} {
+    check_triangles(triangles_, points_.size());
+    own_normals_ = !normals.empty();
+    normals_ = completed(std::move(normals));
+}
+
+bool Mesh::opaque() const {
+    return min_opacity_ == 1.f;
+}
+
+void Mesh::set_normals(std::vector<float3> normals) {
+    const auto held = lock();
+    const bool own = !normals.empty();
+    normals_ = completed(std::move(normals));
+    own_normals_ = own;
+    revisions_.geometry = next_revision();
+}
+
+void Mesh::points_changed() {
+    if (!own_normals_) normals_ = made_normals();
+}
+
+std::vector<float3> Mesh::made_normals() const {
+    // In float64, so that neither thin triangles nor a mesh far from the origin lose their
+    // direction.
+    std::vector<glm::dvec3> sums(points_.size(), glm::dvec3{0.0});
+    for (std::size_t t = 0; t < triangles_.size(); t += 3) {
+        const glm::dvec3 a = vec(points_[triangles_[t]]);
+        const glm::dvec3 ab = vec(points_[triangles_[t + 1]]) - a;
+        const glm::dvec3 ac = vec(points_[triangles_[t + 2]]) - a;
+        const glm::dvec3 twice_area = glm::cross(ab, ac);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            sums[triangles_[t + corner]] += twice_area;
+    }
+    std::vector<float3> normals(sums.size());
+    std::transform(sums.begin(), sums.end(), normals.begin(), unit_or_up);
+    return normals;
+}
+
+// What the caller gave, of length 1, with made ones in the place of zeros.
+std::vector<float3> Mesh::completed(std::vector<float3> normals) const {
+    if (normals.empty()) return made_normals();
+    if (normals.size() != points_.size())
+        throw ParameterError("normals has " + std::to_string(normals.size()) + " entries for " +
+                                 std::to_string(points_.size()) + " points",
+                             "pass one a point, or none to have them made");
+    check_values("normals", flat(normals), any_finite, 3);
+    const auto is_zero = [](const float3& n) { return n == float3{}; };
+    std::vector<float3> made;
+    if (std::any_of(normals.begin(), normals.end(), is_zero)) made = made_normals();
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        normals[i] = is_zero(normals[i]) ? made[i] : unit_or_up(vec(normals[i]));
+    return normals;
+}
+
+}  // namespace opacity
