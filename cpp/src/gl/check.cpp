@@ -1,0 +1,67 @@
+#include "gl/check.hpp"
+
+#include <glad/gl.h>
+
+#include <cstdio>
+
+#include "opacity/core/error.hpp"
+
+namespace opacity::gl {
+namespace {
+
+const char* error_name(GLenum error) {
+    switch (error) {
+        case GL_INVALID_ENUM:
+            return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE:
+            return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION:
+            return "GL_INVALID_OPERATION";
+        case GL_INVALID_FRAMEBUFFER_OPERATION:
+            return "GL_INVALID_FRAMEBUFFER_OPERATION";
+        case GL_STACK_OVERFLOW:
+            return "GL_STACK_OVERFLOW";
+        case GL_STACK_UNDERFLOW:
+            return "GL_STACK_UNDERFLOW";
+        default:
+            return "an unknown error";
+    }
+}
+
+}  // namespace
+
+void check_errors(const Context& context, std::string_view doing) {
+    GLenum first = GL_NO_ERROR;
+    // Each kind of error has a flag of its own: all are cleared, the first is told.
+    while (const GLenum error = context.gl().GetError()) {
+        if (error == GL_CONTEXT_LOST) {
+            throw DeviceLostError(
+                "the driver reset the device while " + std::string{doing},
+                "create a new Context and Renderer; a smaller map_size or size shortens each "
+                "draw call, if the driver thought that one hung");
+        }
+        if (first == GL_NO_ERROR) first = error;
+    }
+    if (first == GL_NO_ERROR) return;
+    if (first == GL_OUT_OF_MEMORY) {
+        throw OutOfMemoryError(
+            "OpenGL ran out of memory while " + std::string{doing},
+            "ask for less: a smaller map_size or size, fewer layers, or fewer shapes");
+    }
+    throw Error(std::string{error_name(first)} + " while " + std::string{doing} + " on " +
+                    context.renderer(),
+                "this is a bug in the library: report it with this message; OPACITY_GL_DEBUG=1 "
+                "makes the driver say more");
+}
+
+std::string size_text(std::size_t bytes) {
+    const char* const units[] = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
+    double size = double(bytes);
+    std::size_t unit = 0;
+    for (; size >= 1024.0; ++unit) size /= 1024.0;
+    char text[32];
+    std::snprintf(text, sizeof text, unit ? "%.1f %s" : "%.0f %s", size, units[unit]);
+    return text;
+}
+
+}  // namespace opacity::gl

@@ -1,0 +1,19 @@
+// OpenGL's error codes as exceptions.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "opacity/gl/context.hpp"
+
+namespace opacity::gl {
+
+// Throws for the errors since the last look: OutOfMemoryError, DeviceLostError, or an Error
+// that asks for a bug report. `doing` completes "OpenGL ran out of memory while ...".
+void check_errors(const Context& context, std::string_view doing);
+
+// "1.5 GiB"
+std::string size_text(std::size_t bytes);
+
+}  // namespace opacity::gl
