@@ -1,0 +1,35 @@
+// What the graph asks of whoever executes passes. The OpenGL one is in src/render; tests bring their own.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "opacity/graph/pass.hpp"
+
+namespace opacity {
+
+class Device {
+   public:
+    virtual ~Device() = default;
+
+    // Moves when the text of a shader on disk does.
+    virtual Revision shader_revision() = 0;
+    // Storage for the resource as it is described now; the content is undefined.
+    virtual void allocate(const Resource& resource) = 0;
+    virtual void release(const Resource& resource) noexcept = 0;
+
+    // Clears the pass's targets; then draws, once for each shape of its list.
+    virtual void clear(const Pass& pass) = 0;
+    virtual void draw(const Pass& pass) = 0;
+    virtual void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) = 0;
+
+    virtual void write(const Resource& resource, std::span<const std::byte> content) = 0;
+    virtual void read(const Resource& resource, std::span<std::byte> content) = 0;
+    virtual void finish() = 0;
+};
+
+// Bytes of a texture's content at one sample a texel.
+std::size_t size_bytes(const TextureDesc& desc);
+
+}  // namespace opacity

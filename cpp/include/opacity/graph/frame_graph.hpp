@@ -1,0 +1,137 @@
+// The frame graph. Each frame declares its resources and passes anew, in order; what a name held in the frame before
+// is kept. A pass runs when its output is needed and a declared read has moved; otherwise it is cached or culled.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "opacity/graph/device.hpp"
+#include "opacity/graph/pass.hpp"
+#include "opacity/graph/report.hpp"
+
+namespace opacity {
+
+class FrameGraph {
+   public:
+    explicit FrameGraph(Device& device) : device_{device} {}
+    ~FrameGraph();
+    FrameGraph(const FrameGraph&) = delete;
+    FrameGraph& operator=(const FrameGraph&) = delete;
+
+    // Starts the declarations of a frame.
+    void begin();
+    // Names declared while it lives start with "<name>/".
+    class Scope {
+       public:
+        Scope(FrameGraph& graph, const std::string& name);
+        ~Scope() { graph_.prefix_ = outer_; }
+
+       private:
+        FrameGraph& graph_;
+        std::string outer_;
+    };
+    Texture& texture(const std::string& name, const TextureDesc& desc);
+    // A texture or buffer that a pass resizes when it knows how much it needs.
+    Texture& growing_texture(const std::string& name, Format format);
+    Buffer& buffer(const std::string& name);
+    void add(Pass pass);
+
+    // Runs what `goal` needs. If a pass throws, it and all after it stay to be run.
+    void run(const Resource& goal);
+    // Forgets every cached result.
+    void invalidate() { records_.clear(); }
+
+    const Report& report() const noexcept { return report_; }
+    // The last declarations as a Graphviz digraph.
+    std::string dot() const;
+    // ParameterError that lists the names when there is none of this one.
+    const Texture& find(const std::string& name) const;
+
+   private:
+    friend class PassContext;
+    // What a pass read when it ran last.
+    struct Read {
+        std::string name;
+        Revision revision;
+        bool operator==(const Read&) const = default;
+    };
+    struct Record {
+        std::vector<Read> reads;
+        std::string note;
+    };
+
+    void check(const Pass& pass) const;
+    std::set<const Source*> needed_for(const Resource& goal) const;
+    std::vector<Read> reads_now(const Pass& pass) const;
+    bool outputs_intact(const Pass& pass) const;
+    bool allocated_as_described(const Texture& texture) const;
+    void allocate(const Texture& texture);
+    static std::string why_again(const std::vector<Read>& last, const std::vector<Read>& now);
+    PassReport step(const Pass& pass, bool needed);
+    std::string execute(const Pass& pass, bool clear_only);  // returns the pass's note
+    void drop_undeclared();
+
+    Device& device_;
+    std::string prefix_;
+    std::vector<Pass> passes_;
+    std::map<std::string, std::unique_ptr<Texture>> textures_;
+    std::map<std::string, std::unique_ptr<Buffer>> buffers_;
+    std::set<std::string> declared_;
+    std::map<std::string, Record> records_;
+    // The description that a texture's storage was made for; keyed by name.
+    std::map<std::string, TextureDesc> allocated_;
+    Revision shader_revision_ = 0;
+    Report report_;
+};
+
+// What an executing pass may do; anything it did not declare is an error that names the line to add.
+class PassContext {
+   public:
+    PassContext(FrameGraph& graph, const Pass& pass) : graph_{graph}, pass_{pass} {}
+
+    void draw();
+    void dispatch(int x, int y = 1, int z = 1, const Uniforms& extra = {});
+    // A declared store gets a new size before it is written.
+    void resize(Texture& texture, const TextureDesc& desc);
+    void resize(Buffer& buffer, std::size_t size_bytes);
+    void write(const Resource& resource, std::span<const std::byte> content);
+    void zero(const Texture& texture);
+
+    // The content of a declared read.
+    template <class T>
+    std::vector<T> read(const Texture& texture) {
+        std::vector<T> content(size_bytes(texture.desc()) / sizeof(T));
+        read_bytes(texture, std::as_writable_bytes(std::span{content}));
+        return content;
+    }
+    template <class T>
+    std::vector<T> read(const Buffer& buffer) {
+        std::vector<T> content(buffer.size_bytes() / sizeof(T));
+        read_bytes(buffer, std::as_writable_bytes(std::span{content}));
+        return content;
+    }
+    // Sets a declared value; everything that reads it stays cached if it did not change.
+    template <class T>
+    void set(Value<T>& value, T content) {
+        require_value(value);
+        value.set(std::move(content));
+    }
+
+    // Shown in the report beside the pass.
+    void note(std::string text) { note_ = std::move(text); }
+
+   private:
+    friend class FrameGraph;
+    void read_bytes(const Resource& resource, std::span<std::byte> content);
+    void require_value(const Source& value) const;
+    void require_store(const Resource& resource) const;
+
+    FrameGraph& graph_;
+    const Pass& pass_;
+    std::string note_;
+};
+
+}  // namespace opacity

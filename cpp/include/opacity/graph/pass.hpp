@@ -1,0 +1,61 @@
+// A pass is data: what it is called, which shader runs, what it reads and writes, and in which state.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "opacity/graph/draw_list.hpp"
+#include "opacity/graph/resource.hpp"
+#include "opacity/graph/view.hpp"
+
+namespace opacity {
+
+class PassContext;
+
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+// Files under shaders/: a vertex and a fragment stage, or a compute stage alone. Every stage sees PASS_<name>, the
+// shape kind (STRANDS or MESH) when shapes are drawn, and these defines; #include "technique.glsl" means `technique`.
+struct Shader {
+    std::string vertex = {}, fragment = {}, compute = {};
+    std::string technique = {};
+    Defines defines = {};
+};
+
+using Reads = std::vector<const Source*>;
+
+// One image of a texture: layer 0 of a plain one.
+struct Target {
+    Texture* texture = nullptr;
+    int layer = 0;
+    Target(Texture* t, int l = 0) : texture{t}, layer{l} {}  // NOLINT: {&texture} reads as a target
+};
+
+enum class Depth { off, less, greater };
+enum class Blend { off, add };
+
+// Complete: nothing is inherited from the pass before.
+struct State {
+    Depth depth = Depth::off;
+    Blend blend = Blend::off;
+    float clear_depth = 1.f;
+    float4 clear_color = {0.f, 0.f, 0.f, 0.f};
+};
+
+struct Pass {
+    std::string name;                    // "opacity": shown as "bounding_opacity_maps/opacity"
+    Shader shader = {};                  // none: the pass computes on the CPU
+    DrawList* draws = nullptr;           // shapes to draw; an empty list culls the pass
+    const View* view = nullptr;          // from where it draws them
+    Reads reads = {};                    // textures, values, parameters, views, parts of shapes
+    std::vector<Target> writes = {};     // colour targets in MRT order; a depth texture anywhere
+    std::vector<Resource*> stores = {};  // images i_<name> and buffers b_<name> that the shader writes
+    std::vector<Source*> values = {};    // CPU results such as the split ratio
+    State state = {};
+    // Default: draw the shapes. A lambda captures `this` and graph-owned resources only.
+    std::function<void(PassContext&)> execute = {};
+};
+
+}  // namespace opacity

@@ -1,0 +1,24 @@
+// What a frame did, and why.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace opacity {
+
+struct PassReport {
+    enum class Status { ran, cached, culled };
+    std::string name;
+    Status status = Status::culled;
+    std::string why = {};  // the reads that moved, or what made the pass unnecessary
+    double ms = 0.0;
+    std::string note = {};  // what the pass found when it ran last, such as the split ratio
+};
+
+using Report = std::vector<PassReport>;
+
+const char* to_string(PassReport::Status status);
+// A table for people.
+std::string to_string(const Report& report);
+
+}  // namespace opacity

@@ -1,0 +1,56 @@
+// What passes write: textures and buffers. The graph owns their names and revisions, a Device their storage.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "opacity/core/math.hpp"
+#include "opacity/core/source.hpp"
+
+namespace opacity {
+
+enum class Format { depth32f, r32f, rg32f, rgba32f, r32ui };
+
+int channels(Format format);
+
+class Resource : public Source {
+   public:
+    // "bounding_opacity_maps/start" is called t_start (sampler), i_start (image) or b_start (buffer) in GLSL.
+    explicit Resource(std::string name) : Source{std::move(name)} {}
+    std::string shader_name() const { return name().substr(name().rfind('/') + 1); }
+    void feed(Feeder& feeder) const override { feeder.resource(*this); }
+};
+
+struct TextureDesc {
+    Format format = Format::rgba32f;
+    int width = 1, height = 1;
+    int layers = 0;        // 0: a plain 2D texture; otherwise an array
+    int oversampling = 1;  // drawn at n x n samples a texel, averaged at the end of the pass
+    bool operator==(const TextureDesc&) const = default;
+};
+
+class Texture : public Resource {
+   public:
+    Texture(std::string name, const TextureDesc& desc) : Resource{std::move(name)}, desc_{desc} {}
+    const TextureDesc& desc() const noexcept { return desc_; }
+    void describe(const TextureDesc& desc) {
+        if (desc == desc_) return;
+        desc_ = desc;
+        touch();
+    }
+
+   private:
+    TextureDesc desc_;
+};
+
+class Buffer : public Resource {
+   public:
+    using Resource::Resource;
+    std::size_t size_bytes() const noexcept { return size_bytes_; }
+    void resize(std::size_t size_bytes) { size_bytes_ = size_bytes; }
+
+   private:
+    std::size_t size_bytes_ = 0;
+};
+
+}  // namespace opacity

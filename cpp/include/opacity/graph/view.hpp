@@ -1,0 +1,50 @@
+// From where a pass looks: a light or a camera. The matrix is float64; it is joined with a shape's transform
+// and the origin of its points before anything becomes float32.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "opacity/core/math.hpp"
+#include "opacity/core/source.hpp"
+
+namespace opacity {
+
+using Uniforms = std::vector<std::pair<std::string, UniformValue>>;
+
+// Uniforms that change together.
+class UniformSet : public Source {
+   public:
+    using Source::Source;
+    void update(Uniforms uniforms) {
+        if (uniforms == uniforms_) return;
+        uniforms_ = std::move(uniforms);
+        touch();
+    }
+    void feed(Feeder& feeder) const override {
+        for (const auto& [name, value] : uniforms_) feeder.uniform(name, value);
+    }
+
+   private:
+    Uniforms uniforms_;
+};
+
+// Besides its uniforms, every draw gets mat4 u_<name>_from_local.
+class View : public UniformSet {
+   public:
+    using UniformSet::UniformSet;
+
+    const double4x4& from_world() const noexcept { return from_world_; }
+    void update(const double4x4& from_world, Uniforms uniforms) {
+        UniformSet::update(std::move(uniforms));
+        if (from_world == from_world_) return;
+        from_world_ = from_world;
+        touch();
+    }
+
+   private:
+    double4x4 from_world_ = identity;
+};
+
+}  // namespace opacity

@@ -1,0 +1,235 @@
+#include "opacity/graph/frame_graph.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "opacity/core/error.hpp"
+#include "opacity/core/param.hpp"
+
+namespace opacity {
+namespace {
+
+// Everything that a pass reads: what it declares, and from where it draws which shapes.
+Reads all_reads(const Pass& pass) {
+    Reads reads = pass.reads;
+    if (pass.view) reads.push_back(pass.view);
+    if (pass.draws) reads.push_back(&pass.draws->geometry);
+    return reads;
+}
+
+std::set<const Source*> all_outputs(const Pass& pass) {
+    std::set<const Source*> outputs{pass.values.begin(), pass.values.end()};
+    outputs.insert(pass.stores.begin(), pass.stores.end());
+    for (const Target& target : pass.writes) outputs.insert(target.texture);
+    return outputs;
+}
+
+bool nothing_to_draw(const Pass& pass) { return pass.draws && pass.draws->shapes().empty(); }
+
+template <class Names>
+std::string joined(const Names& names) {
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : ", ") + std::string{name};
+    return text;
+}
+
+}  // namespace
+
+FrameGraph::~FrameGraph() {
+    for (const auto& [name, texture] : textures_) device_.release(*texture);
+    for (const auto& [name, buffer] : buffers_) device_.release(*buffer);
+}
+
+void FrameGraph::begin() {
+    passes_.clear();
+    declared_.clear();
+}
+
+FrameGraph::Scope::Scope(FrameGraph& graph, const std::string& name)
+    : graph_{graph}, outer_{graph.prefix_} {
+    graph_.prefix_ += name + "/";
+}
+
+Texture& FrameGraph::texture(const std::string& name, const TextureDesc& desc) {
+    const std::string full_name = prefix_ + name;
+    declared_.insert(full_name);
+    auto& texture = textures_[full_name];
+    if (!texture) texture = std::make_unique<Texture>(full_name, desc);
+    texture->describe(desc);
+    return *texture;
+}
+
+Texture& FrameGraph::growing_texture(const std::string& name, Format format) {
+    const auto found = textures_.find(prefix_ + name);
+    return texture(name, found != textures_.end() ? found->second->desc() : TextureDesc{.format = format});
+}
+
+Buffer& FrameGraph::buffer(const std::string& name) {
+    const std::string full_name = prefix_ + name;
+    declared_.insert(full_name);
+    auto& buffer = buffers_[full_name];
+    if (!buffer) buffer = std::make_unique<Buffer>(full_name);
+    return *buffer;
+}
+
+void FrameGraph::add(Pass pass) {
+    pass.name = prefix_ + pass.name;
+    check(pass);
+    passes_.push_back(std::move(pass));
+}
+
+void FrameGraph::check(const Pass& pass) const {
+    const auto fail = [&](const std::string& problem, const std::string& fix) {
+        throw ParameterError("pass \"" + pass.name + "\" " + problem, fix);
+    };
+    if (pass.draws && (!pass.view || pass.shader.vertex.empty()))
+        fail("draws " + pass.draws->name() + " without a view or a vertex shader",
+             "set .view and .shader.vertex beside .draws");
+    if (!pass.draws && !pass.execute)
+        fail("does nothing", "give it .draws, or .execute = [](PassContext&) { ... }");
+    const Reads reads = all_reads(pass);
+    for (const Source* output : all_outputs(pass))
+        if (std::find(reads.begin(), reads.end(), output) != reads.end())
+            fail("reads \"" + output->name() + "\", which it writes itself",
+                 "write to a second resource and read the first");
+    for (const Pass& earlier : passes_) {
+        if (earlier.name == pass.name) fail("is declared twice", "rename one of the two");
+        for (const Target& mine : pass.writes)
+            for (const Target& theirs : earlier.writes)
+                if (mine.texture == theirs.texture && mine.layer == theirs.layer)
+                    fail("writes \"" + mine.texture->name() + "\", which \"" + earlier.name + "\" writes",
+                         "one writer a texture layer: declare a second texture");
+    }
+}
+
+std::set<const Source*> FrameGraph::needed_for(const Resource& goal) const {
+    std::set<const Source*> needed{&goal};
+    for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
+        const auto outputs = all_outputs(*pass);
+        const bool feeds_goal = std::any_of(outputs.begin(), outputs.end(),
+                                            [&](const Source* output) { return needed.contains(output); });
+        if (!feeds_goal) continue;
+        // A pass that writes some layers of a texture needs the writers of the others.
+        needed.insert(outputs.begin(), outputs.end());
+        const Reads reads = all_reads(*pass);
+        needed.insert(reads.begin(), reads.end());
+    }
+    return needed;
+}
+
+std::vector<FrameGraph::Read> FrameGraph::reads_now(const Pass& pass) const {
+    std::vector<Read> reads;
+    if (!pass.shader.vertex.empty() || !pass.shader.compute.empty()) reads.push_back({"shaders", shader_revision_});
+    for (const Source* read : all_reads(pass)) reads.push_back({read->name(), read->revision()});
+    return reads;
+}
+
+bool FrameGraph::allocated_as_described(const Texture& texture) const {
+    const auto found = allocated_.find(texture.name());
+    return found != allocated_.end() && found->second == texture.desc();
+}
+
+void FrameGraph::allocate(const Texture& texture) {
+    if (allocated_as_described(texture)) return;
+    allocated_.erase(texture.name());
+    device_.allocate(texture);
+    allocated_[texture.name()] = texture.desc();
+}
+
+bool FrameGraph::outputs_intact(const Pass& pass) const {
+    for (const Source* output : all_outputs(pass)) {
+        const auto* texture = dynamic_cast<const Texture*>(output);
+        if (texture && !allocated_as_described(*texture)) return false;
+    }
+    return true;
+}
+
+void FrameGraph::run(const Resource& goal) {
+    drop_undeclared();
+    shader_revision_ = device_.shader_revision();
+    report_.clear();
+    const std::set<const Source*> needed = needed_for(goal);
+    for (const Pass& pass : passes_) {
+        const auto outputs = all_outputs(pass);
+        const bool is_needed = std::any_of(outputs.begin(), outputs.end(),
+                                           [&](const Source* output) { return needed.contains(output); });
+        report_.push_back(step(pass, is_needed));
+        if (!is_needed) report_.back().why = "nothing that \"" + goal.name() + "\" needs reads its output";
+    }
+}
+
+PassReport FrameGraph::step(const Pass& pass, bool needed) {
+    using Status = PassReport::Status;
+    if (!needed) return {.name = pass.name, .status = Status::culled};
+    std::vector<Read> now = reads_now(pass);
+    const auto last = records_.find(pass.name);
+    const bool empty = nothing_to_draw(pass);
+    const std::string no_shapes = empty ? "no " + pass.draws->name() : "";
+    if (last != records_.end() && last->second.reads == now && outputs_intact(pass))
+        return {pass.name, empty ? Status::culled : Status::cached, empty ? no_shapes : "no read moved", 0.0,
+                last->second.note};
+
+    const std::string why = last == records_.end() ? "first run" : why_again(last->second.reads, now);
+    records_.erase(pass.name);  // forgotten first: a pass that throws stays to be run
+    const auto start = std::chrono::steady_clock::now();
+    std::string note = execute(pass, empty);
+    device_.finish();
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    records_[pass.name] = {std::move(now), note};
+    return {pass.name, empty ? Status::culled : Status::ran, empty ? no_shapes : why, elapsed.count(), note};
+}
+
+std::string FrameGraph::why_again(const std::vector<Read>& last, const std::vector<Read>& now) {
+    std::vector<std::string> moved;
+    for (const Read& read : now)
+        if (std::find(last.begin(), last.end(), read) == last.end()) moved.push_back(read.name);
+    if (!moved.empty()) return "moved: " + joined(moved);
+    return last == now ? "its output was described anew" : "reads fewer sources";
+}
+
+std::string FrameGraph::execute(const Pass& pass, bool clear_only) {
+    for (const Source* output : all_outputs(pass))
+        if (const auto* texture = dynamic_cast<const Texture*>(output)) allocate(*texture);
+    if (!pass.writes.empty()) device_.clear(pass);
+    PassContext context{*this, pass};
+    if (clear_only) {
+        for (Resource* store : pass.stores)
+            if (auto* texture = dynamic_cast<Texture*>(store)) context.zero(*texture);
+    } else if (pass.execute) {
+        pass.execute(context);
+    } else {
+        context.draw();
+    }
+    for (const Target& target : pass.writes) target.texture->touch();
+    for (Resource* store : pass.stores) store->touch();
+    return context.note_;
+}
+
+void FrameGraph::drop_undeclared() {
+    const auto drop = [this](auto& resources) {
+        std::erase_if(resources, [this](const auto& entry) {
+            if (declared_.contains(entry.first)) return false;
+            device_.release(*entry.second);
+            allocated_.erase(entry.first);
+            return true;
+        });
+    };
+    drop(textures_);
+    drop(buffers_);
+    std::erase_if(records_, [this](const auto& entry) {
+        return std::none_of(passes_.begin(), passes_.end(),
+                            [&](const Pass& pass) { return pass.name == entry.first; });
+    });
+}
+
+const Texture& FrameGraph::find(const std::string& name) const {
+    const auto found = textures_.find(name);
+    if (found != textures_.end() && allocated_.contains(name)) return *found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, texture] : textures_)
+        if (allocated_.contains(known)) names.push_back(known);
+    throw ParameterError("there is no texture \"" + name + "\"",
+                         names.empty() ? "render a frame first" : "choose one of " + joined(names));
+}
+
+}  // namespace opacity
