@@ -1,0 +1,32 @@
+// The engine, in reading order: a scene holds shapes and lights; a frame graph runs passes; a technique is a list of
+// passes; a renderer ties them to a context.
+#pragma once
+
+#include "opacity/core/error.hpp"
+#include "opacity/core/image.hpp"
+#include "opacity/core/math.hpp"
+#include "opacity/core/param.hpp"
+#include "opacity/core/source.hpp"
+// scene
+#include "opacity/scene/camera.hpp"
+#include "opacity/scene/light.hpp"
+#include "opacity/scene/mesh.hpp"
+#include "opacity/scene/scene.hpp"
+#include "opacity/scene/strands.hpp"
+// files and generated scenes
+#include "opacity/io/load.hpp"
+// passes
+#include "opacity/graph/frame_graph.hpp"
+#include "opacity/graph/report.hpp"
+// shadows
+#include "opacity/technique.hpp"
+// pictures
+#include "opacity/gl/context.hpp"
+#include "opacity/renderer.hpp"
+
+namespace opacity {
+
+// "major.minor.patch"
+const char* version();
+
+}  // namespace opacity

@@ -1,0 +1,79 @@
+// Renders a scene, and answers how much light reaches a point. Skips whatever has not changed since the last frame.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "opacity/core/image.hpp"
+#include "opacity/core/param.hpp"
+#include "opacity/gl/context.hpp"
+#include "opacity/graph/report.hpp"
+#include "opacity/scene/camera.hpp"
+#include "opacity/scene/scene.hpp"
+#include "opacity/technique.hpp"
+
+namespace opacity {
+
+struct RenderSettings : ParamOwner {
+    RenderSettings() : ParamOwner{"renderer"} {}
+    Param<int> width{*this, "width", 1024, {1, 16384}, "Pixels of the picture, across."};
+    Param<int> height{*this, "height", 768, {1, 16384}, "Pixels of the picture, down."};
+    Param<int> map_size{*this, "map_size", 512, {1, 16384}, "Texels along each side of the light's maps."};
+    Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
+    Param<double> ambient{*this, "ambient", 0.12, {0.0, 100.0}, "Light from everywhere, unshadowed, as a factor of colour."};
+    Param<double> specular{*this, "specular", 0.25, {0.0, 100.0}, "Strength of the highlight."};
+    Param<double> shininess{*this, "shininess", 40.0, {1.0, 10000.0}, "Exponent of the highlight."};
+};
+
+// An intermediate texture, read back: rows in texel order, the light's first row first.
+struct TextureContent {
+    int width = 0, height = 0, layers = 0, channels = 0;  // layers 0: not an array
+    std::vector<float> values;
+};
+
+class Renderer {
+   public:
+    // Without a context, a headless one is made. One light at most is rendered by this version.
+    Renderer(std::shared_ptr<Scene> scene, const Camera& camera, std::shared_ptr<Technique> technique = {},
+             std::shared_ptr<gl::Context> context = {});
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+
+    RenderSettings& settings();
+    Scene& scene();
+    Technique& technique();
+    const Camera& camera() const;
+    gl::Context& context();
+    void set_technique(std::shared_ptr<Technique> technique);
+    void set_camera(const Camera& camera);
+    void set_size(int width_px, int height_px);
+    // Linear RGBA behind everything; alpha 0 for a transparent picture.
+    void set_background(const float4& rgba);
+    const float4& background() const;
+
+    // The picture: 4 * width * height floats, linear, premultiplied, top row first.
+    Image render();
+    void render(std::span<float> rgba);
+    // T in [0, 1] at world points: the fraction of the light that arrives there. 1 without a light.
+    std::vector<float> transmittance(const Positions& world_points, int light = 0);
+
+    // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along the light.
+    double4x4 light_from_world() const;
+
+    const Report& report() const;
+    std::string dot() const;
+    TextureContent read(const std::string& texture) const;
+    // Forgets every cached pass.
+    void invalidate();
+    // Searches the split again at the next frame.
+    void needs_recompute();
+
+   private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace opacity

@@ -1,0 +1,158 @@
+#include "render/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace opacity::render {
+namespace {
+
+constexpr int group_size = 64;      // transmittance.comp.glsl
+constexpr int most_groups = 32768;  // a dispatch takes 65,535 a dimension
+
+// Reversed and without a far plane: depth is near / distance, which float32 resolves over any range. Rows go down, so
+// that the first row read back is the top of the picture.
+std::vector<float> clip_from_view(const Camera& camera, double aspect, double near) {
+    const double focal = 1.0 / std::tan(camera.fov_deg() * std::numbers::pi / 360.0);
+    std::vector<float> columns(16, 0.f);
+    columns[0] = float(focal / aspect);
+    columns[5] = float(-focal);
+    columns[11] = -1.f;
+    columns[14] = float(near);
+    return columns;
+}
+
+double near_distance(const Camera& camera) {
+    const double3 &eye = camera.eye(), &target = camera.target();
+    return 1e-3 * std::hypot(target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]);
+}
+
+std::vector<float> rotate(const double4x4& m, const double3& v) {
+    return {float(m[0] * v[0] + m[1] * v[1] + m[2] * v[2]), float(m[4] * v[0] + m[5] * v[1] + m[6] * v[2]),
+            float(m[8] * v[0] + m[9] * v[1] + m[10] * v[2])};
+}
+
+}  // namespace
+
+void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
+    static const DirectionalLight no_light{{0.0, 0.0, -1.0}, {0.f, 0.f, 0.f}, 0.f};
+    const auto& lights = inputs.scene.lights();
+    const DirectionalLight& light = lights.empty() ? no_light : *lights.front();
+    lists_.update(inputs.scene);
+    fit_.update(light_, inputs.scene, light, inputs.settings.map_size.get(), query);
+
+    const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
+    const double4x4 view = inputs.camera.view_from_world();
+    camera_.update(view, {{"u_camera_clip_from_view", clip_from_view(inputs.camera, aspect, near_distance(inputs.camera))}});
+    const double3& travel = light.direction();
+    const float3& color = light.color();
+    lamp_.update({{"u_to_light_vs", rotate(view, {-travel[0], -travel[1], -travel[2]})},
+                  {"u_light_color", std::vector<float>{color[0] * light.intensity(), color[1] * light.intensity(),
+                                                       color[2] * light.intensity()}}});
+    const float4& b = inputs.background;
+    background_.update({{"u_background", std::vector<float>{b[0], b[1], b[2], b[3]}}});
+}
+
+Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
+    update_sources(inputs, query);
+    device_.collect();
+    graph_.begin();
+    const int map_size_px = inputs.settings.map_size.get();
+    Texture& opaque_depth = add_opaque_depth(map_size_px);
+    Reads lookup;
+    std::string look_up_shader = "techniques/unshadowed.glsl";  // without a light
+    if (!inputs.scene.lights().empty()) {
+        look_up_shader = inputs.technique.shader_path();
+        const FrameGraph::Scope scope{graph_, inputs.technique.name()};
+        lookup = inputs.technique.build(
+            graph_, {light_, lists_.translucent, opaque_depth, !lists_.opaque.shapes().empty(), map_size_px});
+    }
+    if (!lookup.empty()) lookup.insert(lookup.end(), {&opaque_depth, &inputs.technique.bias});
+    lookup.push_back(&light_);
+    Texture& image = add_lighting(inputs, lookup, look_up_shader);
+    return {image, add_transmittance(lookup, look_up_shader)};
+}
+
+Texture& Frame::add_opaque_depth(int map_size_px) {
+    Texture& opaque_depth = graph_.texture(
+        "opaque_depth", {.format = Format::depth32f, .width = map_size_px, .height = map_size_px});
+    graph_.add({.name = "opaque_depth",
+                .shader = {.vertex = "casters.vert.glsl", .fragment = "bounds.frag.glsl"},
+                .draws = &lists_.opaque,
+                .view = &light_,
+                .writes = {&opaque_depth},
+                .state = {.depth = Depth::less, .clear_depth = 1.f}});
+    return opaque_depth;
+}
+
+Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup, const std::string& look_up_shader) {
+    const RenderSettings& settings = inputs.settings;
+    TextureDesc picture{.format = Format::rgba32f,
+                        .width = settings.width.get(),
+                        .height = settings.height.get(),
+                        .oversampling = settings.antialiasing.get()};
+    Texture& image = graph_.texture("image", picture);
+    picture.format = Format::depth32f;
+    Texture& depth = graph_.texture("camera_depth", picture);
+    Reads reads = lookup;
+    reads.insert(reads.end(), {&lists_.visible.color, &lamp_, &background_, &settings.ambient, &settings.specular,
+                               &settings.shininess});
+    const float4& b = inputs.background;
+    graph_.add({.name = "lighting",
+                .shader = {.vertex = "lighting.vert.glsl",
+                           .fragment = "lighting.frag.glsl",
+                           .technique = look_up_shader},
+                .draws = &lists_.visible,
+                .view = &camera_,
+                .reads = std::move(reads),
+                .writes = {&image, &depth},
+                .state = {.depth = Depth::greater,
+                          .clear_depth = 0.f,
+                          .clear_color = {b[0] * b[3], b[1] * b[3], b[2] * b[3], b[3]}}});
+    return image;
+}
+
+Buffer& Frame::add_transmittance(const Reads& lookup, const std::string& look_up_shader) {
+    Buffer& points = graph_.buffer("points_ls");
+    Buffer& result = graph_.buffer("transmittance");
+    Reads reads = lookup;
+    reads.push_back(&query_);
+    graph_.add({.name = "transmittance",
+                .shader = {.compute = "transmittance.comp.glsl", .technique = look_up_shader},
+                .reads = std::move(reads),
+                .stores = {&points, &result},
+                .execute = [this, &points, &result](PassContext& context) {
+                    const int count = int(query_points_ls_.size() / 4);
+                    context.resize(points, query_points_ls_.size() * sizeof(float));
+                    context.resize(result, count * sizeof(float));
+                    context.write(points, std::as_bytes(std::span{query_points_ls_}));
+                    const int groups = (count + group_size - 1) / group_size;
+                    const int columns = std::min(groups, most_groups);
+                    if (count > 0)
+                        context.dispatch(columns, (groups + columns - 1) / columns, 1, {{"u_point_count", count}});
+                    transmittance_ = context.read<float>(result);
+                    transmittance_.resize(count);
+                }});
+    return result;
+}
+
+void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
+    const Goals goals = declare(inputs, Box{});
+    graph_.run(goals.image);
+    device_.read(goals.image, std::as_writable_bytes(rgba));
+}
+
+std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Positions& world_points) {
+    const Goals goals = declare(inputs, world_points.bounds());
+    query_points_ls_.resize(4 * world_points.size());
+    for (std::size_t i = 0; i < world_points.size(); ++i) {
+        const double3 p = transform_point(light_.from_world(), world_points[i]);
+        for (int axis = 0; axis < 3; ++axis) query_points_ls_[4 * i + axis] = float(p[axis]);
+        query_points_ls_[4 * i + 3] = 0.f;
+    }
+    query_.touch();
+    graph_.run(goals.transmittance);
+    return transmittance_;
+}
+
+}  // namespace opacity::render

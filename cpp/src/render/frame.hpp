@@ -1,0 +1,54 @@
+// One frame as data: the passes of the render manager around those of the technique.
+#pragma once
+
+#include <span>
+
+#include "opacity/graph/frame_graph.hpp"
+#include "opacity/renderer.hpp"
+#include "render/gl_device.hpp"
+#include "render/light_fit.hpp"
+#include "render/scene_lists.hpp"
+
+namespace opacity::render {
+
+struct FrameInputs {
+    const Scene& scene;
+    const Camera& camera;
+    Technique& technique;
+    const RenderSettings& settings;
+    const float4& background;
+};
+
+class Frame {
+   public:
+    explicit Frame(GlDevice& device) : device_{device}, graph_{device} {}
+
+    void render(const FrameInputs& inputs, std::span<float> rgba);
+    std::vector<float> transmittance(const FrameInputs& inputs, const Positions& world_points);
+    FrameGraph& graph() { return graph_; }
+    const double4x4& light_from_world() const { return light_.from_world(); }
+
+   private:
+    // What the two goals of a frame are written to.
+    struct Goals {
+        const Resource &image, &transmittance;
+    };
+    Goals declare(const FrameInputs& inputs, const Box& query);
+    void update_sources(const FrameInputs& inputs, const Box& query);
+    Texture& add_opaque_depth(int map_size_px);
+    // `look_up_shader` defines shadow_transmittance, and takes what `lookup` feeds.
+    Texture& add_lighting(const FrameInputs& inputs, const Reads& lookup, const std::string& look_up_shader);
+    Buffer& add_transmittance(const Reads& lookup, const std::string& look_up_shader);
+
+    GlDevice& device_;
+    SceneLists lists_;
+    LightFit fit_;
+    View light_{"light"}, camera_{"camera"};
+    UniformSet lamp_{"light_color"}, background_{"background"};
+    UniformSet query_{"query_points"};
+    std::vector<float> query_points_ls_;  // four floats a point
+    std::vector<float> transmittance_;
+    FrameGraph graph_;  // last: it frees its resources while the rest is alive
+};
+
+}  // namespace opacity::render

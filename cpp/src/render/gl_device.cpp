@@ -1,0 +1,231 @@
+#include "render/gl_device.hpp"
+
+#include <algorithm>
+
+#include "gl/check.hpp"
+#include "opacity/core/error.hpp"
+#include "render/local_frame.hpp"
+#include "render/program_feeder.hpp"
+
+namespace opacity::render {
+namespace {
+
+std::string program_key(const Shader& shader, const std::string& kind) {
+    std::string key = shader.vertex + "|" + shader.fragment + "|" + shader.compute + "|" + shader.technique + "|" + kind;
+    for (const auto& [name, value] : shader.defines) key += "|" + name + "=" + value;
+    return key;
+}
+
+}  // namespace
+
+unsigned internal_format(Format format) {
+    switch (format) {
+        case Format::depth32f:
+            return GL_DEPTH_COMPONENT32F;
+        case Format::r32f:
+            return GL_R32F;
+        case Format::rg32f:
+            return GL_RG32F;
+        case Format::r32ui:
+            return GL_R32UI;
+        default:
+            return GL_RGBA32F;
+    }
+}
+
+GlDevice::GlDevice(std::shared_ptr<gl::Context> context)
+    : context_{std::move(context)}, shapes_{context_}, framebuffer_{context_}, vertex_array_{context_} {}
+
+Revision GlDevice::shader_revision() { return library_.revision(); }
+
+void GlDevice::allocate(const Resource& resource) {
+    release(resource);
+    if (const auto* texture = dynamic_cast<const Texture*>(&resource)) {
+        const TextureDesc& desc = texture->desc();
+        const GLenum target = desc.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+        const auto make = [&](int factor) {
+            return gl::Texture{context_, target, internal_format(desc.format), desc.width * factor, desc.height * factor,
+                               std::max(desc.layers, 1)};
+        };
+        Image image{make(1), nullptr};
+        if (desc.oversampling > 1) image.samples = std::make_unique<gl::Texture>(make(desc.oversampling));
+        images_.emplace(resource.name(), std::move(image));
+    } else {
+        const auto& buffer = dynamic_cast<const Buffer&>(resource);
+        buffers_.emplace(resource.name(), gl::Buffer{context_, std::max<std::size_t>(buffer.size_bytes(), 16)});
+    }
+}
+
+void GlDevice::release(const Resource& resource) noexcept {
+    images_.erase(resource.name());
+    buffers_.erase(resource.name());
+}
+
+unsigned GlDevice::drawn_texture(const Texture& texture) const {
+    const Image& image = images_.at(texture.name());
+    return (image.samples ? *image.samples : image.texture).name();
+}
+
+void GlDevice::bind_targets(const Pass& pass) {
+    // A framebuffer anew for each pass: attachments of the last one must not linger.
+    framebuffer_ = gl::Framebuffer{context_};
+    const GLuint fbo = framebuffer_.name();
+    std::vector<GLenum> draw_buffers;
+    int width = 1, height = 1;
+    const auto note_size = [&](const TextureDesc& desc) {
+        width = desc.width * desc.oversampling;
+        height = desc.height * desc.oversampling;
+    };
+    for (const Target& target : pass.writes) {
+        const TextureDesc& desc = target.texture->desc();
+        const bool depth = desc.format == Format::depth32f;
+        const GLenum attachment = depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0 + GLenum(draw_buffers.size());
+        if (!depth) draw_buffers.push_back(attachment);
+        if (desc.layers > 0)
+            gl().NamedFramebufferTextureLayer(fbo, attachment, drawn_texture(*target.texture), 0, target.layer);
+        else
+            gl().NamedFramebufferTexture(fbo, attachment, drawn_texture(*target.texture), 0);
+        note_size(desc);
+    }
+    if (pass.writes.empty()) {  // the shader stores into images: the first one gives the size
+        for (const Resource* store : pass.stores)
+            if (const auto* texture = dynamic_cast<const Texture*>(store)) {
+                note_size(texture->desc());
+                break;
+            }
+        gl().NamedFramebufferParameteri(fbo, GL_FRAMEBUFFER_DEFAULT_WIDTH, width);
+        gl().NamedFramebufferParameteri(fbo, GL_FRAMEBUFFER_DEFAULT_HEIGHT, height);
+    }
+    gl().NamedFramebufferDrawBuffers(fbo, GLsizei(draw_buffers.size()), draw_buffers.data());
+    if (gl().CheckNamedFramebufferStatus(fbo, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error("the driver cannot draw into the targets of pass \"" + pass.name + "\"",
+                    "lower map_size, size or antialiasing; pyopacity doctor shows the driver");
+    gl().BindFramebuffer(GL_DRAW_FRAMEBUFFER, fbo);
+    gl().Viewport(0, 0, width, height);
+}
+
+void GlDevice::set_state(const Pass& pass) const {
+    const State& state = pass.state;
+    const auto toggle = [&](GLenum capability, bool on) { on ? gl().Enable(capability) : gl().Disable(capability); };
+    toggle(GL_DEPTH_TEST, state.depth != Depth::off);
+    gl().DepthFunc(state.depth == Depth::greater ? GL_GREATER : GL_LESS);
+    gl().DepthMask(GL_TRUE);
+    toggle(GL_BLEND, state.blend == Blend::add);
+    gl().BlendEquation(GL_FUNC_ADD);
+    gl().BlendFunc(GL_ONE, GL_ONE);
+    gl().Disable(GL_CULL_FACE);
+    gl().Disable(GL_SCISSOR_TEST);
+    gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    // Depth as it comes out of the projection, without the half of its precision that -1 .. 1 loses.
+    gl().ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
+
+void GlDevice::clear(const Pass& pass) {
+    bind_targets(pass);
+    set_state(pass);
+    GLint color = 0;
+    for (const Target& target : pass.writes) {
+        if (target.texture->desc().format == Format::depth32f)
+            gl().ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &pass.state.clear_depth);
+        else
+            gl().ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, color++, pass.state.clear_color.data());
+    }
+    if (pass.draws && pass.draws->shapes().empty()) resolve(pass);
+    gl::check_errors(*context_, "clearing the targets of pass " + pass.name);
+}
+
+gl::Program& GlDevice::program(const Pass& pass, const std::string& shape_kind) {
+    if (programs_revision_ != library_.revision()) programs_.clear();
+    programs_revision_ = library_.revision();
+    std::unique_ptr<gl::Program>& program = programs_[program_key(pass.shader, shape_kind)];
+    if (program) return *program;
+    const Shader& shader = pass.shader;
+    std::vector<gl::Stage> stages;
+    if (!shader.vertex.empty()) stages.push_back({GL_VERTEX_SHADER, shader.vertex});
+    if (!shader.fragment.empty()) stages.push_back({GL_FRAGMENT_SHADER, shader.fragment});
+    if (!shader.compute.empty()) stages.push_back({GL_COMPUTE_SHADER, shader.compute});
+    Defines defines = shader.defines;
+    if (!shape_kind.empty()) defines.emplace_back(shape_kind, "1");
+    gl::Aliases aliases;
+    if (!shader.technique.empty()) aliases["technique.glsl"] = shader.technique;
+    program = std::make_unique<gl::Program>(context_, library_, stages, defines, aliases);
+    return *program;
+}
+
+void GlDevice::draw(const Pass& pass) {
+    bind_targets(pass);
+    set_state(pass);
+    gl().BindVertexArray(vertex_array_.name());
+    for (const ShapePtr& shape : pass.draws->shapes()) draw_shape(pass, shape);
+    gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
+    resolve(pass);
+    gl::check_errors(*context_, "drawing pass " + pass.name);
+}
+
+void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape) {
+    const GpuShape& gpu = shapes_.upload(shape);
+    const bool is_strands = gpu.segments.buffer.has_value();
+    const int vertices = is_strands ? 6 * gpu.segment_count : gpu.index_count;
+    if (vertices == 0) return;
+    gl::Program& shader = program(pass, is_strands ? "STRANDS" : "MESH");
+    ProgramFeeder feeder{*this, shader};
+    feed_shape(feeder, pass, gpu);
+    for (const Source* read : pass.reads) read->feed(feeder);
+    if (pass.view) pass.view->feed(feeder);
+    for (const Resource* store : pass.stores) feeder.store(*store);
+    feeder.require_complete(pass);
+
+    gl().UseProgram(shader.name());
+    if (is_strands) {
+        gl().DrawArrays(GL_TRIANGLES, 0, vertices);
+    } else {
+        gl().VertexArrayElementBuffer(vertex_array_.name(), gpu.triangles.buffer->name());
+        gl().DrawElements(GL_TRIANGLES, vertices, GL_UNSIGNED_INT, nullptr);
+    }
+}
+
+void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {
+    gl::Program& shader = program(pass, "");
+    ProgramFeeder feeder{*this, shader};
+    for (const Source* read : pass.reads) read->feed(feeder);
+    for (const Resource* store : pass.stores) feeder.store(*store);
+    for (const auto& [name, value] : extra) feeder.uniform(name, value);
+    feeder.require_complete(pass);
+    gl().UseProgram(shader.name());
+    gl().DispatchCompute(GLuint(groups[0]), GLuint(groups[1]), GLuint(groups[2]));
+    gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
+    gl::check_errors(*context_, "computing pass " + pass.name);
+}
+
+void GlDevice::resolve(const Pass& pass) {
+    for (const Target& target : pass.writes) {
+        const TextureDesc& desc = target.texture->desc();
+        if (desc.oversampling == 1 || desc.format == Format::depth32f) continue;
+        const Image& image = images_.at(target.texture->name());
+        gl::Program& shader =
+            program({.name = "resolve", .shader = {.compute = "resolve.comp.glsl"}}, "");
+        shader.set("u_oversampling", desc.oversampling);
+        gl().BindTextureUnit(GLuint(*shader.sampler("t_samples")), image.samples->name());
+        gl().BindImageTexture(GLuint(*shader.image("i_average")), image.texture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
+                              image.texture.internal_format());
+        gl().UseProgram(shader.name());
+        gl().DispatchCompute(GLuint(desc.width + 7) / 8, GLuint(desc.height + 7) / 8, 1);
+        gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
+    }
+}
+
+void GlDevice::write(const Resource& resource, std::span<const std::byte> content) {
+    if (content.empty()) return;
+    const auto image = images_.find(resource.name());
+    image != images_.end() ? image->second.texture.write(content) : buffers_.at(resource.name()).write(content);
+}
+
+void GlDevice::read(const Resource& resource, std::span<std::byte> content) {
+    if (content.empty()) return;
+    const auto image = images_.find(resource.name());
+    image != images_.end() ? image->second.texture.read(content) : buffers_.at(resource.name()).read(content);
+}
+
+void GlDevice::finish() { gl().Finish(); }
+
+}  // namespace opacity::render

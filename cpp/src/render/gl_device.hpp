@@ -1,0 +1,65 @@
+// Executes passes with OpenGL: owns the storage of resources, the programs, and the buffers of shapes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "gl/shader_library.hpp"
+#include "gl/texture.hpp"
+#include "opacity/gl/context.hpp"
+#include "opacity/graph/device.hpp"
+#include "render/gpu_shapes.hpp"
+
+namespace opacity::render {
+
+unsigned internal_format(Format format);
+
+class GlDevice : public Device {
+   public:
+    explicit GlDevice(std::shared_ptr<gl::Context> context);
+
+    Revision shader_revision() override;
+    void allocate(const Resource& resource) override;
+    void release(const Resource& resource) noexcept override;
+    void clear(const Pass& pass) override;
+    void draw(const Pass& pass) override;
+    void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) override;
+    void write(const Resource& resource, std::span<const std::byte> content) override;
+    void read(const Resource& resource, std::span<std::byte> content) override;
+    void finish() override;
+
+    // Forgets the buffers of shapes that no scene holds any more.
+    void collect() { shapes_.collect(); }
+
+   private:
+    // The texture, and where it is oversampled the larger one that is drawn into.
+    struct Image {
+        gl::Texture texture;
+        std::unique_ptr<gl::Texture> samples;
+    };
+    friend class ProgramFeeder;
+
+    gl::Program& program(const Pass& pass, const std::string& shape_kind);
+    // Makes the pass's targets current; returns nothing for a pass without any.
+    void bind_targets(const Pass& pass);
+    void set_state(const Pass& pass) const;
+    void draw_shape(const Pass& pass, const ShapePtr& shape);
+    void resolve(const Pass& pass);
+    unsigned drawn_texture(const Texture& texture) const;
+    const GladGLContext& gl() const { return context_->gl(); }
+
+    std::shared_ptr<gl::Context> context_;
+    gl::ShaderLibrary library_;
+    GpuShapes shapes_;
+    std::map<std::string, Image> images_;         // by the resource's name
+    std::map<std::string, gl::Buffer> buffers_;
+    std::map<std::string, std::unique_ptr<gl::Program>> programs_;  // by everything that its text depends on
+    Revision programs_revision_ = 0;
+    gl::Framebuffer framebuffer_;
+    gl::VertexArray vertex_array_;  // empty: shapes are pulled from storage buffers
+};
+
+}  // namespace opacity::render

@@ -1,0 +1,63 @@
+#include "render/local_frame.hpp"
+
+#include <algorithm>
+#include <glm/glm.hpp>
+
+namespace opacity::render {
+namespace {
+
+glm::dmat4 to_glm(const double4x4& m) {
+    glm::dmat4 result;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) result[column][row] = m[4 * row + column];
+    return result;
+}
+
+template <class Matrix>
+std::vector<float> to_floats(const Matrix& m) {
+    std::vector<float> values;
+    for (int column = 0; column < m.length(); ++column)
+        for (int row = 0; row < m.length(); ++row) values.push_back(float(m[column][row]));
+    return values;
+}
+
+void feed_view(ProgramFeeder& feeder, const View& view, const GpuShape& gpu) {
+    glm::dmat4 to_world = to_glm(gpu.transform);
+    to_world[3] = to_world * glm::dvec4{gpu.origin[0], gpu.origin[1], gpu.origin[2], 1.0};
+    const glm::dmat4 from_local = to_glm(view.from_world()) * to_world;
+    feeder.uniform("u_" + view.name() + "_from_local", to_floats(from_local));
+    const glm::dmat3 normal_from_local = glm::transpose(glm::inverse(glm::dmat3{from_local}));
+    feeder.uniform("u_" + view.name() + "_normal_from_local", to_floats(normal_from_local));
+}
+
+bool declared(const Pass& pass, const Source& source) {
+    return std::find(pass.reads.begin(), pass.reads.end(), &source) != pass.reads.end();
+}
+
+}  // namespace
+
+void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
+    const auto feed_buffer = [&](const char* name, const GpuPart& part) {
+        if (part.buffer) feeder.buffer(name, part.buffer->name());
+    };
+    feed_buffer("points", gpu.points);
+    feed_buffer("segments", gpu.segments);
+    feed_buffer("normals", gpu.normals);
+    feeder.uniform("u_segment_count", gpu.segment_count);
+    feeder.uniform("u_width_scale", gpu.width_scale);
+    if (declared(pass, pass.draws->opacity)) {
+        feed_buffer("opacity", gpu.opacity);
+        feeder.uniform("u_opacity_stride", gpu.opacity_stride);
+    }
+    if (declared(pass, pass.draws->color)) {
+        feed_buffer("color", gpu.color);
+        feeder.uniform("u_color_stride", gpu.color_stride);
+        feeder.uniform("u_receives", gpu.receives);
+        feeder.uniform("u_opaque", gpu.opaque);
+    }
+    if (pass.view) feed_view(feeder, *pass.view, gpu);
+    for (const Source* read : pass.reads)
+        if (const auto* view = dynamic_cast<const View*>(read)) feed_view(feeder, *view, gpu);
+}
+
+}  // namespace opacity::render

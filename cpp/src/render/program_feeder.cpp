@@ -1,0 +1,60 @@
+#include "render/program_feeder.hpp"
+
+#include "opacity/core/error.hpp"
+#include "render/gl_device.hpp"
+
+namespace opacity::render {
+
+void ProgramFeeder::uniform(std::string_view name, const UniformValue& value) {
+    const std::string text{name};
+    fed_.insert(text);
+    program_.set(text, value);
+}
+
+void ProgramFeeder::resource(const Resource& resource) {
+    if (dynamic_cast<const Buffer*>(&resource)) {
+        store(resource);
+        return;
+    }
+    const std::string name = "t_" + resource.shader_name();
+    fed_.insert(name);
+    if (const auto unit = program_.sampler(name))
+        device_.gl().BindTextureUnit(GLuint(*unit), device_.images_.at(resource.name()).texture.name());
+}
+
+void ProgramFeeder::store(const Resource& resource) {
+    if (dynamic_cast<const Buffer*>(&resource)) {
+        buffer(resource.shader_name(), device_.buffers_.at(resource.name()).name());
+        return;
+    }
+    const auto& texture = dynamic_cast<const Texture&>(resource);
+    const std::string name = "i_" + resource.shader_name();
+    fed_.insert(name);
+    if (const auto unit = program_.image(name))
+        device_.gl().BindImageTexture(GLuint(*unit), device_.images_.at(resource.name()).texture.name(), 0, GL_TRUE, 0,
+                                      GL_READ_WRITE, internal_format(texture.desc().format));
+}
+
+void ProgramFeeder::buffer(const std::string& name, unsigned buffer) {
+    const std::string block = "b_" + name;
+    fed_.insert(block);
+    if (const auto binding = program_.block(block))
+        device_.gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(*binding), buffer);
+}
+
+void ProgramFeeder::require_complete(const Pass& pass) const {
+    std::string missing;
+    const auto look = [&](const auto& inputs) {
+        for (const auto& [name, place] : inputs)
+            if (!fed_.contains(name)) missing += (missing.empty() ? "" : ", ") + name;
+    };
+    look(program_.uniforms());
+    look(program_.samplers());
+    look(program_.images());
+    look(program_.blocks());
+    if (missing.empty()) return;
+    throw ShaderError("pass \"" + pass.name + "\" uses " + missing + ", which no declared read feeds",
+                      "add the sources that feed them to .reads (or .stores) of the pass");
+}
+
+}  // namespace opacity::render

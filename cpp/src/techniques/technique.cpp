@@ -1,0 +1,39 @@
+#include "opacity/technique.hpp"
+
+#include <numeric>
+
+#include "opacity/core/error.hpp"
+#include "techniques/registry.hpp"
+
+namespace opacity {
+
+Shader ShadowInputs::caster_shader(const std::string& fragment, bool optical_depth, Defines defines) const {
+    if (optical_depth) defines.emplace_back("OPTICAL_DEPTH", "1");
+    if (has_opaque) defines.emplace_back("READS_OPAQUE_DEPTH", "1");
+    return {.vertex = "casters.vert.glsl", .fragment = fragment, .defines = std::move(defines)};
+}
+
+Reads ShadowInputs::caster_reads(bool optical_depth, Reads more) const {
+    if (optical_depth) more.push_back(&translucent.opacity);
+    if (has_opaque) more.push_back(&opaque_depth);
+    return more;
+}
+
+std::vector<std::string> technique_names() {
+    std::vector<std::string> names;
+    for (const RegistryRow& row : registry_rows()) names.emplace_back(row.name);
+    return names;
+}
+
+std::unique_ptr<Technique> make_technique(std::string_view name) {
+    for (const RegistryRow& row : registry_rows())
+        if (row.name == name) return row.make();
+    const std::vector<std::string> names = technique_names();
+    const std::string list = std::accumulate(
+        names.begin(), names.end(), std::string{},
+        [](const std::string& a, const std::string& b) { return a.empty() ? b : a + ", " + b; });
+    throw ParameterError("there is no technique \"" + std::string{name} + "\"",
+                         "did you mean \"" + nearest_name(name, names) + "\"? There are " + list);
+}
+
+}  // namespace opacity
