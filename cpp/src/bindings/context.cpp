@@ -1,0 +1,75 @@
+#include "bindings/context.hpp"
+
+#include <pybind11/stl.h>
+
+#include "bindings/bindings.hpp"
+
+namespace opacity::bindings {
+namespace {
+
+const char* level_name(LogLevel level) {
+    switch (level) {
+        case LogLevel::debug:
+            return "debug";
+        case LogLevel::info:
+            return "info";
+        case LogLevel::warning:
+            return "warning";
+        default:
+            return "error";
+    }
+}
+
+py::list take_messages(LoggedContext& self) {
+    py::list list;
+    for (const auto& [level, message] : self.messages->take())
+        list.append(py::make_tuple(level_name(level), text(message)));
+    return list;
+}
+
+}  // namespace
+
+void Messages::add(LogLevel level, std::string_view message) noexcept try {
+    const std::lock_guard held{mutex_};
+    if (list_.size() < most_) list_.emplace_back(level, message);
+} catch (...) {
+    // Without memory for a message there is none.
+}
+
+Messages::List Messages::take() {
+    const std::lock_guard held{mutex_};
+    return std::exchange(list_, {});
+}
+
+LoggedContext LoggedContext::headless() {
+    auto messages = std::make_shared<Messages>();
+    const auto log = [messages](LogLevel level, std::string_view message) {
+        messages->add(level, message);
+    };
+    return {gl::Context::headless(log), messages};
+}
+
+void bind_context(py::module_& module) {
+    py::classh<LoggedContext>(module, "Context", "An OpenGL context that a renderer made.")
+        .def_static("headless", &LoggedContext::headless, py::call_guard<py::gil_scoped_release>(),
+                    "A context without a window; ContextError lists what was tried.")
+        .def_property_readonly(
+            "renderer", [](const LoggedContext& self) { return text(self.context->renderer()); },
+            "What draws, as the driver calls it: \"llvmpipe (LLVM 15.0.6, 256 bits)\".")
+        .def_property_readonly(
+            "version", [](const LoggedContext& self) { return text(self.context->version()); },
+            "The OpenGL version, as the driver writes it.")
+        .def_property_readonly(
+            "is_software", [](const LoggedContext& self) { return self.context->is_software(); },
+            "True where the CPU draws.")
+        .def_property_readonly(
+            "live_objects", [](const LoggedContext& self) { return self.context->live_objects(); },
+            "OpenGL objects that are alive: 0 after the last renderer on it is closed.")
+        .def_property_readonly(
+            "search", [](const LoggedContext& self) { return self.context->search(); },
+            "What was looked at before this context was found, a line each.")
+        .def("take_messages", &take_messages,
+             "What OpenGL said since the last call: (level, message) each.");
+}
+
+}  // namespace opacity::bindings

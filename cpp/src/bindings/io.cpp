@@ -1,0 +1,37 @@
+#include "opacity/io/load.hpp"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "bindings/arrays.hpp"
+
+namespace opacity::bindings {
+namespace {
+
+std::vector<ShapePtr> load_shapes(const std::string& path_or_name) {
+    std::vector<ShapePtr> shapes;
+    {
+        const py::gil_scoped_release release;
+        shapes = load(path_or_name);
+    }
+    check_signals();
+    return shapes;
+}
+
+void save_picture(const std::filesystem::path& path, const Array<float>& rgba) {
+    Image image{static_cast<int>(rgba.shape(1)), static_cast<int>(rgba.shape(0)), to_vector(rgba)};
+    {
+        const py::gil_scoped_release release;
+        save_png(path, image);
+    }
+    check_signals();
+}
+
+}  // namespace
+
+void bind_io(py::module_& module) {
+    module.def("load", &load_shapes);
+    module.def("save_png", &save_picture, py::arg("path"), py::arg("rgba").noconvert());
+}
+
+}  // namespace opacity::bindings

@@ -1,0 +1,17 @@
+#include "bindings/bindings.hpp"
+#include "opacity/opacity.hpp"
+
+PYBIND11_MODULE(_native, module) {
+    using namespace opacity::bindings;
+    module.doc() =
+        "The C++ engine as pyopacity's classes see it. Private: no name here is a promise.";
+    module.def("version", &opacity::version, "The engine's version, \"major.minor.patch\".");
+    bind_errors(module);
+    bind_params(module);
+    bind_shapes(module);
+    bind_scene(module);
+    bind_technique(module);
+    bind_context(module);
+    bind_renderer(module);
+    bind_io(module);
+}

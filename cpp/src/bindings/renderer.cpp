@@ -1,0 +1,85 @@
+// Rendering. Whatever takes time runs without the interpreter, so that other Python threads go on.
+#include "opacity/renderer.hpp"
+
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.hpp"
+#include "bindings/context.hpp"
+
+namespace opacity::bindings {
+namespace {
+
+std::unique_ptr<Renderer> make_renderer(std::shared_ptr<Scene> scene, const Camera& camera,
+                                        std::shared_ptr<Technique> technique,
+                                        const LoggedContext& context) {
+    std::unique_ptr<Renderer> renderer;
+    {
+        const py::gil_scoped_release release;
+        renderer = std::make_unique<Renderer>(std::move(scene), camera, std::move(technique),
+                                              context.context);
+    }
+    check_signals();
+    return renderer;
+}
+
+void render(Renderer& self, Array<float>& out) {
+    const std::span<float> rgba{out.mutable_data(), static_cast<std::size_t>(out.size())};
+    {
+        const py::gil_scoped_release release;
+        self.render(rgba);
+    }
+    check_signals();
+}
+
+py::array transmittance(Renderer& self, const py::array& xyz, int light) {
+    const Positions points = to_positions(xyz);
+    std::vector<float> result;
+    {
+        const py::gil_scoped_release release;
+        result = self.transmittance(points, light);
+    }
+    check_signals();
+    return take(std::move(result));
+}
+
+// The rows, and the table for people that the engine makes of them.
+py::tuple report(const Renderer& self) {
+    py::list rows;
+    for (const PassReport& row : self.report())
+        rows.append(py::make_tuple(text(row.name), to_string(row.status), text(row.why), row.ms));
+    return py::make_tuple(rows, text(to_string(self.report())));
+}
+
+py::array read(const Renderer& self, const std::string& name) {
+    TextureContent content = self.read(name);
+    std::vector<py::ssize_t> shape{content.height, content.width};
+    if (content.layers > 0) shape.insert(shape.begin(), content.layers);
+    if (content.layers > 0 || content.channels > 1) shape.push_back(content.channels);
+    return take<float, float>(std::move(content.values), std::move(shape));
+}
+
+}  // namespace
+
+void bind_renderer(py::module_& module) {
+    py::classh<Renderer>(module, "Renderer")
+        .def(py::init(&make_renderer))
+        .def(
+            "settings", [](Renderer& self) -> RenderSettings& { return self.settings(); },
+            py::return_value_policy::reference_internal)
+        .def("set_technique", &Renderer::set_technique)
+        .def("set_camera", &Renderer::set_camera)
+        .def("set_size", &Renderer::set_size)
+        .def("background", &Renderer::background)
+        .def("set_background", &Renderer::set_background)
+        .def("render", &render, py::arg("out").noconvert())
+        .def("transmittance", &transmittance)
+        .def("light_from_world",
+             [](const Renderer& self) { return from_matrix(self.light_from_world()); })
+        .def("report", &report)
+        .def("graph_dot", [](const Renderer& self) { return text(self.dot()); })
+        .def("read", &read)
+        .def("invalidate", &Renderer::invalidate)
+        .def("needs_recompute", &Renderer::needs_recompute);
+}
+
+}  // namespace opacity::bindings

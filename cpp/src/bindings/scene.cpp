@@ -1,0 +1,58 @@
+// The scene, its lights, and the camera.
+#include "opacity/scene/scene.hpp"
+
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.hpp"
+#include "bindings/bindings.hpp"
+#include "opacity/scene/camera.hpp"
+
+namespace opacity::bindings {
+namespace {
+
+void bind_light(py::module_& module) {
+    py::classh<DirectionalLight>(module, "DirectionalLight")
+        .def(py::init<double3, float3, float>())
+        .def("direction", &DirectionalLight::direction)
+        .def("set_direction", &DirectionalLight::set_direction)
+        .def("color", &DirectionalLight::color)
+        .def("set_color", &DirectionalLight::set_color)
+        .def("intensity", &DirectionalLight::intensity)
+        .def("set_intensity", &DirectionalLight::set_intensity);
+}
+
+void bind_camera(py::module_& module) {
+    py::classh<Camera>(module, "Camera")
+        .def_static("look_at", &Camera::look_at)
+        .def_static("fit",
+                    [](const double3& min, const double3& max, const double3& direction,
+                       const double3& up, double fov_deg) {
+                        return Camera::fit(Box{min, max}, direction, up, fov_deg);
+                    })
+        .def("eye", &Camera::eye)
+        .def("target", &Camera::target)
+        .def("up", &Camera::up)
+        .def("fov_deg", &Camera::fov_deg)
+        .def("view_from_world",
+             [](const Camera& self) { return from_matrix(self.view_from_world()); })
+        .def("equals", [](const Camera& self, const Camera& other) { return self == other; });
+}
+
+}  // namespace
+
+void bind_scene(py::module_& module) {
+    bind_light(module);
+    bind_camera(module);
+    py::classh<Scene>(module, "Scene")
+        .def(py::init<>())
+        .def("add", py::overload_cast<ShapePtr>(&Scene::add))
+        .def("add", py::overload_cast<LightPtr>(&Scene::add))
+        .def("remove", py::overload_cast<const ShapePtr&>(&Scene::remove))
+        .def("remove", py::overload_cast<const LightPtr&>(&Scene::remove))
+        .def("bounds", [](const Scene& self) {
+            const Box box = self.bounds();
+            return py::make_tuple(box.min, box.max);
+        });
+}
+
+}  // namespace opacity::bindings

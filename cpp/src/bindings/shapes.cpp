@@ -1,0 +1,160 @@
+// Strands and meshes. A renderer on another thread may hold a shape's lock while it copies, and its
+// log may want the interpreter: so whoever waits for that lock has let go of the interpreter first.
+#include <pybind11/stl.h>
+
+#include "bindings/arrays.hpp"
+#include "bindings/bindings.hpp"
+#include "opacity/scene/mesh.hpp"
+#include "opacity/scene/strands.hpp"
+
+namespace opacity::bindings {
+namespace {
+
+template <class ShapeType, class Get>
+auto copied(const ShapeType& shape, Get get) {
+    const py::gil_scoped_release release;
+    const auto held = shape.lock();
+    return get(shape);
+}
+
+template <class Call>
+void without_interpreter(Call call) {
+    const py::gil_scoped_release release;
+    call();
+}
+
+py::array points_of(const Shape& shape) {
+    Positions points = copied(shape, [](const Shape& s) { return s.points(); });
+    const auto size = static_cast<py::ssize_t>(points.size());
+    return std::visit(
+        [size](auto xyz) {
+            using Number = typename decltype(xyz)::value_type;
+            return take<Number, Number>(std::move(xyz), {size, 3});
+        },
+        points.xyz());
+}
+
+py::tuple bounds_of(const Shape& shape) {
+    const Box box = copied(shape, [](const Shape& s) { return s.bounds(); });
+    return py::make_tuple(box.min, box.max);
+}
+
+template <class Class>
+void bind_attributes(Class& shape) {
+    shape.def("points", &points_of)
+        .def("set_points",
+             [](Shape& self, const py::array& xyz) {
+                 Positions points = to_positions(xyz);
+                 without_interpreter([&] { self.set_points(std::move(points)); });
+             })
+        .def("opacity",
+             [](const Shape& self) {
+                 return take(copied(self, [](const Shape& s) { return s.opacity(); }));
+             })
+        .def("set_opacity",
+             [](Shape& self, const py::array& values) {
+                 std::vector<float> opacity = to_floats(values);
+                 without_interpreter([&] { self.set_opacity(std::move(opacity)); });
+             })
+        .def("color",
+             [](const Shape& self) {
+                 return take(copied(self, [](const Shape& s) { return s.color(); }));
+             })
+        .def("set_color", [](Shape& self, const py::array& values) {
+            std::vector<float3> color = to_float3s(values);
+            without_interpreter([&] { self.set_color(std::move(color)); });
+        });
+}
+
+template <class Class>
+void bind_placement(Class& shape) {
+    shape
+        .def("transform",
+             [](const Shape& self) {
+                 return from_matrix(copied(self, [](const Shape& s) { return s.transform(); }));
+             })
+        .def("set_transform",
+             [](Shape& self, const Array<double>& matrix) {
+                 const double4x4 transform = to_matrix(matrix);
+                 without_interpreter([&] { self.set_transform(transform); });
+             })
+        .def("casts", &Shape::casts)
+        .def("set_casts", &Shape::set_casts, py::call_guard<py::gil_scoped_release>())
+        .def("receives", &Shape::receives)
+        .def("set_receives", &Shape::set_receives, py::call_guard<py::gil_scoped_release>())
+        .def("bounds", &bounds_of);
+}
+
+std::shared_ptr<Strands> make_strands(const py::array& points, const Array<std::int64_t>& offsets,
+                                      const py::array& width, const py::array& opacity,
+                                      const py::array& color) {
+    Positions xyz = to_positions(points);
+    std::vector<std::int64_t> starts = to_vector(offsets);
+    std::vector<float> widths = to_floats(width), opacities = to_floats(opacity);
+    std::vector<float3> colors = to_float3s(color);
+    const py::gil_scoped_release release;
+    return std::make_shared<Strands>(std::move(xyz), std::move(starts), std::move(widths),
+                                     std::move(opacities), std::move(colors));
+}
+
+std::shared_ptr<Mesh> make_mesh(const py::array& positions, const Array<std::uint32_t>& triangles,
+                                const py::array& normals, const py::array& opacity,
+                                const py::array& color) {
+    Positions xyz = to_positions(positions);
+    std::vector<std::uint32_t> indices = to_vector(triangles);
+    std::vector<float3> directions = to_float3s(normals), colors = to_float3s(color);
+    std::vector<float> opacities = to_floats(opacity);
+    const py::gil_scoped_release release;
+    return std::make_shared<Mesh>(std::move(xyz), std::move(indices), std::move(directions),
+                                  std::move(opacities), std::move(colors));
+}
+
+void bind_strands(py::module_& module) {
+    py::classh<Strands, Shape>(module, "Strands")
+        .def(py::init(&make_strands))
+        .def("offsets", [](const Strands& self) { return take(self.offsets()); })
+        .def("width",
+             [](const Strands& self) {
+                 return take(copied(self, [](const Strands& s) { return s.width(); }));
+             })
+        .def("set_width",
+             [](Strands& self, const py::array& values) {
+                 std::vector<float> width = to_floats(values);
+                 without_interpreter([&] { self.set_width(std::move(width)); });
+             })
+        .def("segment_count", [](const Strands& self) { return self.segments().size(); });
+}
+
+void bind_mesh(py::module_& module) {
+    py::classh<Mesh, Shape>(module, "Mesh")
+        .def(py::init(&make_mesh))
+        .def("triangles",
+             [](const Mesh& self) {
+                 std::vector<std::uint32_t> indices = self.triangles();
+                 const auto count = static_cast<py::ssize_t>(indices.size() / 3);
+                 return take<std::uint32_t, std::uint32_t>(std::move(indices), {count, 3});
+             })
+        .def("normals",
+             [](const Mesh& self) {
+                 return take(copied(self, [](const Mesh& m) { return m.normals(); }));
+             })
+        .def("set_normals", [](Mesh& self, const py::array& values) {
+            std::vector<float3> normals = to_float3s(values);
+            without_interpreter([&] { self.set_normals(std::move(normals)); });
+        });
+}
+
+}  // namespace
+
+void bind_shapes(py::module_& module) {
+    py::classh<Shape> shape(module, "Shape");
+    shape.def_property_readonly("kind", &Shape::kind).def("opaque", [](const Shape& self) {
+        return copied(self, [](const Shape& s) { return s.opaque(); });
+    });
+    bind_attributes(shape);
+    bind_placement(shape);
+    bind_strands(module);
+    bind_mesh(module);
+}
+
+}  // namespace opacity::bindings

@@ -1,0 +1,67 @@
+"""Shadows through hair and other translucent things, by opacity mapping on OpenGL.
+
+::
+
+    import pyopacity as po
+
+    scene = po.Scene(po.load("straight.hair"), po.DirectionalLight((.5, .3, -.8)))
+    with po.Renderer(scene, technique="bounding_opacity_maps") as renderer:
+        po.save_image("hair.png", renderer.render())
+        print(renderer.report)
+
+Importing needs no OpenGL; only a :class:`Renderer` does.
+"""
+
+from pyopacity import _native
+from pyopacity.bounds import Bounds
+from pyopacity.camera import Camera
+from pyopacity.errors import (
+    ContextError,
+    DeviceLostError,
+    Error,
+    FileFormatError,
+    ForkedContextError,
+    OutOfMemoryError,
+    ParameterError,
+    ShaderError,
+    UnknownNameError,
+)
+from pyopacity.image import save_image
+from pyopacity.io import load
+from pyopacity.light import DirectionalLight
+from pyopacity.pass_report import PassReport, Report
+from pyopacity.renderer import Renderer
+from pyopacity.scene import Scene
+from pyopacity.shapes import Mesh, Shape, Strands
+from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
+
+__version__ = _native.version()
+
+__all__ = [
+    "Bounds",
+    "Camera",
+    "ContextError",
+    "DeviceLostError",
+    "DirectionalLight",
+    "Error",
+    "FileFormatError",
+    "ForkedContextError",
+    "Mesh",
+    "OutOfMemoryError",
+    "Parameter",
+    "ParameterError",
+    "PassReport",
+    "Renderer",
+    "Report",
+    "Scene",
+    "ShaderError",
+    "Shape",
+    "Strands",
+    "Technique",
+    "TechniqueInfo",
+    "UnknownNameError",
+    "load",
+    "save_image",
+    "technique",
+    "techniques",
+]

@@ -1,0 +1,91 @@
+"""Subcommands, and what becomes of an error."""
+
+import argparse
+import importlib.util
+import os
+import pathlib
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+import pyopacity as po
+from pyopacity.cli import doctor, info, render, techniques
+from pyopacity.cli.text import clear_progress
+
+INTERRUPTED = 130
+
+
+class Parser(argparse.ArgumentParser):
+    """An ArgumentParser whose complaints are errors like all others."""
+
+    def error(self, message: str) -> NoReturn:
+        raise po.ParameterError(message, f"{self.prog} --help tells what there is")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs a command line, by default this process's, and returns its exit code."""
+    try:
+        parsed = _parser().parse_args(_joined(sys.argv[1:] if arguments is None else arguments))
+        return int(parsed.run(parsed))
+    except KeyboardInterrupt:
+        clear_progress()
+        return INTERRUPTED
+    except BrokenPipeError:  # the reader, such as `head`, has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except (po.Error, MemoryError, OSError) as error:
+        clear_progress()
+        print(f"pyopacity: {_one_line(_typed(error))}", file=sys.stderr)
+        return _exit_code(error)
+
+
+def cmake_dir() -> pathlib.Path:
+    """Where find_package(opacity) finds its files, beside the engine's library."""
+    module = importlib.util.find_spec("pyopacity._native")  # an editable install has it elsewhere
+    assert module is not None and module.origin is not None
+    return pathlib.Path(module.origin).parent / "lib" / "cmake" / "opacity"
+
+
+def _parser() -> Parser:
+    parser = Parser(prog="pyopacity", description=po.__doc__.partition("\n")[0])
+    parser.add_argument("--version", action="version", version=f"pyopacity {po.__version__}")
+    parser.add_argument(
+        "--cmake-dir",
+        action="version",  # prints, and ends
+        version=str(cmake_dir()),
+        help="print the folder for cmake -Dopacity_DIR=",
+    )
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for command in (render, techniques, info, doctor):
+        command.add_to(commands)
+    return parser
+
+
+def _joined(arguments: Sequence[str]) -> list[str]:
+    """`--light -1,0,0` as `--light=-1,0,0`: argparse takes "-1,0,0" for an option."""
+    joined: list[str] = []
+    for argument in arguments:
+        is_negative = argument[:1] == "-" and argument[1:2] in tuple("0123456789.")
+        if is_negative and joined and joined[-1].startswith("--") and "=" not in joined[-1]:
+            joined[-1] += f"={argument}"
+        else:
+            joined.append(argument)
+    return joined
+
+
+def _typed(error: Exception) -> po.Error:
+    if isinstance(error, po.Error):
+        return error
+    if isinstance(error, MemoryError):
+        return po.OutOfMemoryError("no memory is left", "render a smaller scene, map or picture")
+    return po.Error(str(error), "look at the path, its permissions and the room on its disk")
+
+
+def _one_line(error: po.Error) -> str:
+    return " ".join(f"{error.what}; fix: {error.fix}".split())
+
+
+def _exit_code(error: Exception) -> int:
+    if isinstance(error, MemoryError):
+        return 4
+    return 3 if isinstance(error, po.ContextError) else 2

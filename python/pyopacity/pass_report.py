@@ -1,0 +1,35 @@
+"""What a frame did, and why."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+Status: TypeAlias = Literal["ran", "cached", "culled"]
+
+
+@dataclass(frozen=True, slots=True)
+class PassReport:
+    """One pass of a frame.
+
+    ``status`` is "ran", "cached" (nothing that it reads has moved) or "culled" (nothing needs it,
+    or there is nothing to draw); ``why`` names the reads that moved, or the reason; ``ms`` is the
+    time on the wall, in milliseconds.
+    """
+
+    name: str
+    status: Status
+    why: str
+    ms: float
+
+
+class Report(list[PassReport]):
+    """A row for each pass, in the order in which they ran. ``print(report)`` shows a table."""
+
+    __slots__ = ("_table",)
+
+    def __init__(self, rows: Iterable[PassReport], table: str) -> None:
+        super().__init__(rows)
+        self._table = table
+
+    def __str__(self) -> str:
+        return self._table.rstrip("\n")

@@ -1,0 +1,89 @@
+"""What is drawn, and what lights it."""
+
+from collections.abc import Iterable
+from typing import TypeAlias
+
+from pyopacity import _arrays, _native
+from pyopacity._attributes import Guarded
+from pyopacity.bounds import Bounds
+from pyopacity.light import DirectionalLight
+from pyopacity.shapes import Shape
+
+Item: TypeAlias = Shape | DirectionalLight
+
+
+class Scene(Guarded):
+    """Shapes and lights. Both are shared: change them at any time, also after they were added.
+
+    What is in it changes on the thread that renders it; a shape's own arrays on any.
+
+    Args:
+        items: what to add at once, as to :meth:`add`.
+    """
+
+    __slots__ = ("_lights", "_handle", "_shapes")
+    _handle: _native.Scene
+    _shapes: list[Shape]
+    _lights: list[DirectionalLight]
+
+    def __init__(self, *items: Item | Iterable[Item]) -> None:
+        self._handle = _native.Scene()
+        self._shapes = []
+        self._lights = []
+        for item in items:
+            self.add(item)
+
+    def add(self, items: Item | Iterable[Item]) -> None:
+        """Adds a shape, a light, or an iterable of them.
+
+        Raises:
+            ParameterError: something else; what is in the scene already.
+        """
+        for item in _flat(items):
+            self._handle.add(item._handle)
+            self._list_of(item).append(item)
+
+    def remove(self, items: Item | Iterable[Item]) -> None:
+        """Takes a shape, a light, or an iterable of them out again.
+
+        Raises:
+            ParameterError: something else; what is not in the scene.
+        """
+        for item in _flat(items):
+            self._handle.remove(item._handle)
+            self._list_of(item).remove(item)
+
+    @property
+    def shapes(self) -> tuple[Shape, ...]:
+        """The shapes in the order in which they were added."""
+        return tuple(self._shapes)
+
+    @property
+    def lights(self) -> tuple[DirectionalLight, ...]:
+        """The lights in the order in which they were added."""
+        return tuple(self._lights)
+
+    @property
+    def bounds(self) -> Bounds:
+        """The axis-aligned box around all shapes in world space; empty without any."""
+        return Bounds.of(self._handle.bounds())
+
+    def _list_of(self, item: Item) -> list[Item]:
+        is_light = isinstance(item, DirectionalLight)
+        return self._lights if is_light else self._shapes  # type: ignore[return-value]
+
+    def __repr__(self) -> str:
+        return f"<Scene: {len(self._shapes)} shapes, {len(self._lights)} lights>"
+
+
+def _flat(items: Item | Iterable[Item]) -> list[Item]:
+    """One item or many, all checked before the first is used."""
+    if isinstance(items, Shape | DirectionalLight):
+        return [items]
+    if not isinstance(items, Iterable):
+        raise _arrays.wrong("what a scene holds", items, "shapes, lights, or a list of them")
+    flat = list(items)
+    for index, item in enumerate(flat):
+        if not isinstance(item, Shape | DirectionalLight):
+            raise _arrays.wrong(f"item {index} of a scene", item, "shapes and lights only")
+    return flat
