@@ -49,7 +49,8 @@ $(VENV)/.ready: pyproject.toml scripts/requirements.py | packages
 	    echo "$(PYTHON) is not Python 3.11 or newer." >&2; \
 	    echo "  fix: install one, and name it: make PYTHON=python3.11" >&2; exit 1; }
 	$(PYTHON) -m venv $(VENV)
-	$(VENV)/bin/python scripts/requirements.py | $(VENV)/bin/pip install --quiet --requirement /dev/stdin
+	$(VENV)/bin/python scripts/requirements.py > $(VENV)/requirements.txt
+	$(VENV)/bin/pip install --quiet --requirement $(VENV)/requirements.txt
 	@touch $@
 
 # No isolation: the build tools lie in $(VENV), at a path that stays, so that the next build is incremental.

@@ -2,8 +2,8 @@
 
     python benchmarks/depth_error.py [--map-size 512] > table.md
 
-Prints the table of docs/accuracy.md. Scenes: demo:hair, and where PYOPACITY_DATA (default: ../shared/data beside the
-checkout) has them straight.hair, and bear.hair on bear_body.obj.
+Prints the table of docs/accuracy.md. Scenes: demo:hair, and where PYOPACITY_DATA (default:
+../shared/data beside the checkout) has them straight.hair, and bear.hair on bear_body.obj.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ LAYERS = (4, 8, 16, 32)
 SPLITS = ("linear", "logarithmic", "hybrid", "auto")
 LIGHT = (0.5, 0.3, -0.8)
 OPACITY = 0.3
-DATA = Path(os.environ.get("PYOPACITY_DATA", Path(__file__).resolve().parents[2] / "shared" / "data"))
+DATA = Path(
+    os.environ.get("PYOPACITY_DATA", Path(__file__).resolve().parents[2] / "shared" / "data")
+)
 
 
 def scenes(opacity: float = OPACITY) -> Iterator[tuple[str, po.Scene, po.Strands]]:
@@ -43,7 +45,9 @@ def scenes(opacity: float = OPACITY) -> Iterator[tuple[str, po.Scene, po.Strands
         yield name, scene, strands
 
 
-def errors(scene: po.Scene, strands: po.Strands, map_size: int) -> dict[tuple[str, int], tuple[float, float]]:
+def errors(
+    scene: po.Scene, strands: po.Strands, map_size: int
+) -> dict[tuple[str, int], tuple[float, float]]:
     """(split, layers) -> (RMSE, mean) of T minus that of the exact lists."""
     result = {}
     with po.Renderer(scene, size=(8, 8), technique="exact", map_size=map_size) as r:
@@ -54,7 +58,10 @@ def errors(scene: po.Scene, strands: po.Strands, map_size: int) -> dict[tuple[st
             for layers in LAYERS:
                 r.technique.layers = layers
                 difference = r.transmittance(strands) - exact
-                result[split, layers] = float(np.sqrt(np.mean(difference**2))), float(difference.mean())
+                result[split, layers] = (
+                    float(np.sqrt(np.mean(difference**2))),
+                    float(difference.mean()),
+                )
     return result
 
 

@@ -15,8 +15,8 @@ void render_headless(const demo::Options& options) {
     Renderer renderer = demo::make_renderer(options, stage, nullptr);
     const Image image = renderer.render();
     save_png(options.output, image);
-    std::printf("%s%s: %dx%d on %s\n", to_string(renderer.report()).c_str(), options.output.c_str(), image.width,
-                image.height, renderer.context().renderer().c_str());
+    std::printf("%s%s: %dx%d on %s\n", to_string(renderer.report()).c_str(), options.output.c_str(),
+                image.width, image.height, renderer.context().renderer().c_str());
 }
 
 int run(int count, char** arguments) {
@@ -31,7 +31,8 @@ int run(int count, char** arguments) {
 }
 
 int fail(const Error& error, int code) {
-    std::fprintf(stderr, "opacity_demo: %s; fix: %s\n", error.problem().c_str(), error.fix().c_str());
+    std::fprintf(stderr, "opacity_demo: %s; fix: %s\n", error.problem().c_str(),
+                 error.fix().c_str());
     return code;
 }
 

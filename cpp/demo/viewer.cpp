@@ -12,9 +12,11 @@ constexpr double degrees_per_pixel = 0.4;
 
 // `v` turned about `axis` (of length 1), after Rodrigues.
 double3 turned(const double3& v, const double3& axis, double degrees) {
-    const double angle = degrees * 3.14159265358979 / 180.0, c = std::cos(angle), s = std::sin(angle);
+    const double angle = degrees * 3.14159265358979 / 180.0, c = std::cos(angle),
+                 s = std::sin(angle);
     const double along = (1.0 - c) * (v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2]);
-    const double3 cross{axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2], axis[0] * v[1] - axis[1] * v[0]};
+    const double3 cross{axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
+                        axis[0] * v[1] - axis[1] * v[0]};
     double3 result;
     for (int i = 0; i < 3; ++i) result[i] = c * v[i] + s * cross[i] + along * axis[i];
     return result;
@@ -23,7 +25,8 @@ double3 turned(const double3& v, const double3& axis, double degrees) {
 // `direction` after a drag: sideways about `up`, and up or down as far as it stays off the pole.
 double3 dragged(const double3& direction, const double3& up, double dx, double dy) {
     const double3 sideways = turned(direction, up, -dx * degrees_per_pixel);
-    double3 right{sideways[1] * up[2] - sideways[2] * up[1], sideways[2] * up[0] - sideways[0] * up[2],
+    double3 right{sideways[1] * up[2] - sideways[2] * up[1],
+                  sideways[2] * up[0] - sideways[0] * up[2],
                   sideways[0] * up[1] - sideways[1] * up[0]};
     const double length = std::hypot(right[0], right[1], right[2]);
     if (length < 1e-9) return sideways;
@@ -34,14 +37,17 @@ double3 dragged(const double3& direction, const double3& up, double dx, double d
 }
 
 // A direction of a world whose z points up, in one whose y does.
-double3 z_to_y(const double3& v) { return {v[0], v[2], -v[1]}; }
+double3 z_to_y(const double3& v) {
+    return {v[0], v[2], -v[1]};
+}
 
 }  // namespace
 
 Camera Stage::camera(double distance_factor) const {
     const Camera fitted = Camera::fit(casters, view_direction, up, 35.0);
     double3 eye = fitted.eye();
-    for (int i = 0; i < 3; ++i) eye[i] = fitted.target()[i] + distance_factor * (eye[i] - fitted.target()[i]);
+    for (int i = 0; i < 3; ++i)
+        eye[i] = fitted.target()[i] + distance_factor * (eye[i] - fitted.target()[i]);
     return Camera::look_at(eye, fitted.target(), up, fitted.fov_deg());
 }
 
@@ -63,11 +69,13 @@ Stage load_stage(const Options& options) {
     return stage;
 }
 
-Renderer make_renderer(const Options& options, const Stage& stage, std::shared_ptr<gl::Context> context) {
+Renderer make_renderer(const Options& options, const Stage& stage,
+                       std::shared_ptr<gl::Context> context) {
     std::shared_ptr<Technique> technique = make_technique(options.technique);
     for (const auto& [name, value] : options.params) technique->param(name).assign(value);
     Renderer renderer{stage.scene, stage.camera(), std::move(technique), std::move(context)};
-    for (const auto& [name, value] : options.settings) renderer.settings().param(name).assign(value);
+    for (const auto& [name, value] : options.settings)
+        renderer.settings().param(name).assign(value);
     return renderer;
 }
 
@@ -85,11 +93,13 @@ Viewer::Viewer(const Options& options, Stage stage)
 }
 
 void Viewer::run() {
-    for (int frame = 0; !window_->should_close() && (options_.frames == 0 || frame < options_.frames); ++frame) {
+    for (int frame = 0;
+         !window_->should_close() && (options_.frames == 0 || frame < options_.frames); ++frame) {
         window_->poll();
         const auto start = std::chrono::steady_clock::now();
         const gl::Window::Size size = window_->framebuffer_size();
-        if (size.width > 0 && size.height > 0) renderer_.set_size(size.width, size.height);  // 0: minimised
+        if (size.width > 0 && size.height > 0)
+            renderer_.set_size(size.width, size.height);  // 0: minimised
         renderer_.set_camera(stage_.camera(distance_factor_));
         image_ = renderer_.render();
         {
@@ -97,7 +107,8 @@ void Viewer::run() {
             window_->present(image_.rgba.data(), image_.width, image_.height);
             window_->swap();
         }
-        const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+        const std::chrono::duration<double, std::milli> elapsed =
+            std::chrono::steady_clock::now() - start;
         show_title(elapsed.count());
     }
     if (!options_.output.empty()) save(options_.output);
@@ -105,7 +116,8 @@ void Viewer::run() {
 
 void Viewer::drag(const gl::Drag& drag) {
     if (drag.button == 1 || drag.shift)
-        stage_.light->set_direction(dragged(stage_.light->direction(), stage_.up, drag.dx, drag.dy));
+        stage_.light->set_direction(
+            dragged(stage_.light->direction(), stage_.up, drag.dx, drag.dy));
     else
         stage_.view_direction = dragged(stage_.view_direction, stage_.up, drag.dx, drag.dy);
 }
@@ -124,7 +136,8 @@ void Viewer::key(const gl::Key& key) {
 void Viewer::next_technique() {
     const std::vector<std::string> names = technique_names();
     const auto current = std::find(names.begin(), names.end(), renderer_.technique().name());
-    renderer_.set_technique(make_technique(current + 1 == names.end() ? names.front() : *(current + 1)));
+    renderer_.set_technique(
+        make_technique(current + 1 == names.end() ? names.front() : *(current + 1)));
 }
 
 // Doubles or halves; a technique without layers, or at the end of its range, stays as it is.

@@ -22,7 +22,8 @@ struct Stage {
 
 Stage load_stage(const Options& options);
 // Technique and settings as the options ask.
-Renderer make_renderer(const Options& options, const Stage& stage, std::shared_ptr<gl::Context> context);
+Renderer make_renderer(const Options& options, const Stage& stage,
+                       std::shared_ptr<gl::Context> context);
 
 class Viewer {
    public:

@@ -13,13 +13,15 @@ class PassReport:
 
     ``status`` is "ran", "cached" (nothing that it reads has moved) or "culled" (nothing needs it,
     or there is nothing to draw); ``why`` names the reads that moved, or the reason; ``ms`` is the
-    time on the wall, in milliseconds.
+    time on the wall, in milliseconds; ``note`` is what it found when it ran last, such as the split
+    ratio.
     """
 
     name: str
     status: Status
     why: str
     ms: float
+    note: str = ""
 
 
 class Report(list[PassReport]):

@@ -24,14 +24,20 @@ struct RecordingDevice : Device {
     void release(const Resource& r) noexcept override { calls.push_back("release " + r.name()); }
     void clear(const Pass& p) override { calls.push_back("clear " + p.name); }
     void draw(const Pass& p) override { calls.push_back("draw " + p.name); }
-    void dispatch(const Pass& p, std::array<int, 3>, const Uniforms&) override { calls.push_back("dispatch " + p.name); }
-    void write(const Resource& r, std::span<const std::byte> c) override { contents[r.name()].assign(c.begin(), c.end()); }
+    void dispatch(const Pass& p, std::array<int, 3>, const Uniforms&) override {
+        calls.push_back("dispatch " + p.name);
+    }
+    void write(const Resource& r, std::span<const std::byte> c) override {
+        contents[r.name()].assign(c.begin(), c.end());
+    }
     void read(const Resource& r, std::span<std::byte> c) override {
         const auto& stored = contents[r.name()];
         std::copy_n(stored.begin(), std::min(stored.size(), c.size()), c.begin());
     }
     void finish() override {}
-    bool did(const std::string& call) const { return std::find(calls.begin(), calls.end(), call) != calls.end(); }
+    bool did(const std::string& call) const {
+        return std::find(calls.begin(), calls.end(), call) != calls.end();
+    }
 };
 
 ShapePtr triangle() {
@@ -52,9 +58,14 @@ struct TwoPasses {
     void frame() {
         device.calls.clear();
         graph.begin();
-        Texture& depth = graph.texture("depth", {.format = Format::depth32f, .width = 4, .height = 4});
+        Texture& depth =
+            graph.texture("depth", {.format = Format::depth32f, .width = 4, .height = 4});
         Texture& image = graph.texture("image", {.width = 4, .height = 4});
-        graph.add({.name = "depth", .shader = {.vertex = "v", .fragment = "f"}, .draws = &casters, .view = &view, .writes = {&depth}});
+        graph.add({.name = "depth",
+                   .shader = {.vertex = "v", .fragment = "f"},
+                   .draws = &casters,
+                   .view = &view,
+                   .writes = {&depth}});
         graph.add({.name = "light",
                    .reads = {&depth, &color},
                    .writes = {&image},
@@ -125,7 +136,9 @@ TEST_CASE("a pass that nothing needs is culled, and says so") {
     t.graph.begin();
     Texture& unused = t.graph.texture("unused", {});
     Texture& image = t.graph.texture("image", {});
-    t.graph.add({.name = "wasted", .writes = {&unused}, .execute = [](PassContext&) { FAIL("a culled pass ran"); }});
+    t.graph.add({.name = "wasted", .writes = {&unused}, .execute = [](PassContext&) {
+                     FAIL("a culled pass ran");
+                 }});
     t.graph.add({.name = "light", .writes = {&image}, .execute = [](PassContext&) {}});
     t.graph.run(image);
     CHECK(t.status("wasted") == "culled");
@@ -173,8 +186,12 @@ TEST_CASE("a pass that throws stays to be run, with all after it") {
         t.graph.begin();
         Texture& a = t.graph.texture("a", {});
         Texture& b = t.graph.texture("b", {});
-        t.graph.add({.name = "first", .writes = {&a}, .execute = [&](PassContext&) { if (fail) throw Error("x", "y"); }});
-        t.graph.add({.name = "second", .reads = {&a}, .writes = {&b}, .execute = [&](PassContext&) { ++runs; }});
+        t.graph.add({.name = "first", .writes = {&a}, .execute = [&](PassContext&) {
+                         if (fail) throw Error("x", "y");
+                     }});
+        t.graph.add({.name = "second", .reads = {&a}, .writes = {&b}, .execute = [&](PassContext&) {
+                         ++runs;
+                     }});
         t.graph.run(b);
     };
     CHECK_THROWS_AS(frame(), Error);
@@ -182,6 +199,42 @@ TEST_CASE("a pass that throws stays to be run, with all after it") {
     frame();
     CHECK(t.status("first") == "ran");
     CHECK(runs == 1);
+}
+
+TEST_CASE("a frame can be stopped between passes, and goes on where it was") {
+    TwoPasses t;
+    int asked = 0;
+    t.graph.set_interrupt_check([&] {
+        if (++asked == 2) throw Error("interrupted", "go on");
+    });
+    CHECK_THROWS_AS(t.frame(), Error);
+    CHECK(t.device.did("draw depth"));
+    t.frame();
+    CHECK(t.status("depth") == "cached");
+    CHECK(t.status("light") == "ran");
+}
+
+TEST_CASE("a pass about shapes is culled while there are none") {
+    RecordingDevice device;
+    FrameGraph graph{device};
+    DrawList casters{"casters"};
+    int searches = 0;
+    const auto frame = [&] {
+        graph.begin();
+        Texture& image = graph.texture("image", {});
+        graph.add({.name = "search",
+                   .only_with = &casters,
+                   .stores = {&image},
+                   .execute = [&](PassContext&) { ++searches; }});
+        graph.run(image);
+    };
+    frame();
+    CHECK(searches == 0);
+    CHECK(graph.report()[0].why == "no casters");
+    CHECK(device.contents["image"].size() == 16);  // zeroed: whoever reads it finds nothing
+    casters.update({triangle()});
+    frame();
+    CHECK(searches == 1);
 }
 
 TEST_CASE("a search that finds the same value leaves what follows cached") {
@@ -193,11 +246,17 @@ TEST_CASE("a search that finds the same value leaves what follows cached") {
     const auto frame = [&](float found) {
         graph.begin();
         Texture& image = graph.texture("image", {});
-        graph.add({.name = "search", .reads = {&scene}, .values = {&split}, .execute = [&, found](PassContext& c) {
+        graph.add({.name = "search",
+                   .reads = {&scene},
+                   .values = {&split},
+                   .execute = [&, found](PassContext& c) {
                        c.set(split, found);
                        c.note("found");
                    }});
-        graph.add({.name = "light", .reads = {&split}, .writes = {&image}, .execute = [&](PassContext&) { ++lit; }});
+        graph.add(
+            {.name = "light", .reads = {&split}, .writes = {&image}, .execute = [&](PassContext&) {
+                 ++lit;
+             }});
         graph.run(image);
     };
     frame(0.5f);
@@ -222,12 +281,16 @@ TEST_CASE("what a pass did not declare, it cannot touch") {
         graph.add({.name = "light", .writes = {&image}, .execute = std::move(execute)});
         graph.run(image);
     };
-    CHECK(message_of([&] { run([&](PassContext& c) { c.set(secret, 2); }); }).find("add &secret to .values") != std::string::npos);
+    CHECK(message_of([&] {
+              run([&](PassContext& c) { c.set(secret, 2); });
+          }).find("add &secret to .values") != std::string::npos);
     graph.begin();
     Texture& other = graph.texture("other", {});
     CHECK(message_of([&] {
               Texture& image = graph.texture("image", {});
-              graph.add({.name = "light", .writes = {&image}, .execute = [&](PassContext& c) { c.read<float>(other); }});
+              graph.add({.name = "light", .writes = {&image}, .execute = [&](PassContext& c) {
+                             c.read<float>(other);
+                         }});
               graph.run(image);
           }).find(".reads") != std::string::npos);
     CHECK(secret.get() == 1);
@@ -239,12 +302,19 @@ TEST_CASE("declarations that cannot work are refused with the line to change") {
     graph.begin();
     Texture& a = graph.texture("a", {});
     const auto nothing = [](PassContext&) {};
-    CHECK(message_of([&] { graph.add({.name = "loop", .reads = {&a}, .writes = {&a}, .execute = nothing}); }).find("writes itself") != std::string::npos);
+    CHECK(message_of([&] {
+              graph.add({.name = "loop", .reads = {&a}, .writes = {&a}, .execute = nothing});
+          }).find("writes itself") != std::string::npos);
     graph.add({.name = "one", .writes = {&a}, .execute = nothing});
-    CHECK(message_of([&] { graph.add({.name = "two", .writes = {&a}, .execute = nothing}); }).find("one writer") != std::string::npos);
-    CHECK(message_of([&] { graph.add({.name = "one", .execute = nothing}); }).find("twice") != std::string::npos);
-    CHECK(message_of([&] { graph.add({.name = "idle"}); }).find("does nothing") != std::string::npos);
-    CHECK(message_of([&] { graph.find("nowhere"); }).find("render a frame first") != std::string::npos);
+    CHECK(message_of([&] {
+              graph.add({.name = "two", .writes = {&a}, .execute = nothing});
+          }).find("one writer") != std::string::npos);
+    CHECK(message_of([&] { graph.add({.name = "one", .execute = nothing}); }).find("twice") !=
+          std::string::npos);
+    CHECK(message_of([&] { graph.add({.name = "idle"}); }).find("does nothing") !=
+          std::string::npos);
+    CHECK(message_of([&] { graph.find("nowhere"); }).find("render a frame first") !=
+          std::string::npos);
 }
 
 TEST_CASE("names are scoped, resources of a frame that are not declared again are freed") {

@@ -33,7 +33,9 @@ std::string message_of(Action action) {
 TEST_CASE("a value outside the range names parameter, value and range, and changes nothing") {
     Owner owner;
     const Revision before = owner.layers.revision();
-    CHECK(message_of([&] { owner.layers.assign(std::int64_t{400}); }).find("owner.layers = 400 is outside 1..64") == 0);
+    CHECK(message_of([&] {
+              owner.layers.assign(std::int64_t{400});
+          }).find("owner.layers = 400 is outside 1..64") == 0);
     CHECK_THROWS_AS(owner.layers.assign(0.0), ParameterError);
     CHECK_THROWS_AS(owner.layers.assign(2.5), ParameterError);
     CHECK_THROWS_AS(owner.layers.assign(true), ParameterError);
@@ -43,7 +45,9 @@ TEST_CASE("a value outside the range names parameter, value and range, and chang
     CHECK_THROWS_AS(owner.fast.assign(std::int64_t{1}), ParameterError);
     CHECK_THROWS_AS(owner.bias.assign(-1.0), ParameterError);
     CHECK_THROWS_AS(owner.bias.assign(std::string{"automatic"}), ParameterError);
-    CHECK(message_of([&] { owner.split.assign(std::string{"log"}); }).find("\"auto\", \"linear\"") != std::string::npos);
+    CHECK(message_of([&] {
+              owner.split.assign(std::string{"log"});
+          }).find("\"auto\", \"linear\"") != std::string::npos);
     CHECK(owner.layers.get() == 16);
     CHECK(owner.layers.revision() == before);
 }
@@ -71,8 +75,10 @@ TEST_CASE("both ends of every range are inside it") {
 
 TEST_CASE("a misspelt name suggests the nearest") {
     Owner owner;
-    CHECK(message_of([&] { owner.param("layesr"); }).find("did you mean \"layers\"") != std::string::npos);
+    CHECK(message_of([&] { owner.param("layesr"); }).find("did you mean \"layers\"") !=
+          std::string::npos);
     CHECK(&owner.param("split") == &owner.split);
-    CHECK(nearest_name("boundig_opacity_maps", {"exact", "bounding_opacity_maps"}) == "bounding_opacity_maps");
+    CHECK(nearest_name("boundig_opacity_maps", {"exact", "bounding_opacity_maps"}) ==
+          "bounding_opacity_maps");
     CHECK(nearest_name("x", {}).empty());
 }

@@ -339,7 +339,8 @@ TEST_CASE("fit sees the whole of the bounds, and little more") {
     for (const Box& box : boxes)
         for (const double fov : {1.0, 35.0, 90.0, 170.0}) {
             const Camera camera = Camera::fit(box, {0.3, 1.0, -0.25}, {0, 0, 1}, fov);
-            // The tangent of the widest angle under which a corner is seen, over that of the field of view.
+            // The tangent of the widest angle under which a corner is seen, over that of the field
+            // of view.
             double widest = 0.0;
             for (int corner = 0; corner < 8; ++corner) {
                 const double3 p = transform_point(

@@ -23,11 +23,13 @@ TEST_CASE("the split curve runs from 0 to 1, rises strictly, and its inverse inv
 
 TEST_CASE("linear planes are even; logarithmic ones match 2^(8 k / K)") {
     for (int layers : {1, 2, 3, 16, 64}) {
-        const std::vector<float> linear = layer_planes(layers, 0.0), log = layer_planes(layers, 1.0);
+        const std::vector<float> linear = layer_planes(layers, 0.0),
+                                 log = layer_planes(layers, 1.0);
         for (int k = 0; k <= layers; ++k) {
             CHECK(linear[k] == doctest::Approx(double(k) / layers).epsilon(1e-6));
             // log2(1 + 255 x) / 8 = k / K solved for x
-            CHECK(log[k] == doctest::Approx((std::exp2(8.0 * k / layers) - 1.0) / 255.0).epsilon(1e-5));
+            CHECK(log[k] ==
+                  doctest::Approx((std::exp2(8.0 * k / layers) - 1.0) / 255.0).epsilon(1e-5));
         }
     }
 }
@@ -49,7 +51,8 @@ namespace {
 template <class Curve>
 std::vector<float> profile(const std::vector<float>& planes, Curve curve) {
     std::vector<float> values;
-    for (std::size_t k = 1; k < planes.size(); ++k) values.push_back(float(curve(double(planes[k]))));
+    for (std::size_t k = 1; k < planes.size(); ++k)
+        values.push_back(float(curve(double(planes[k]))));
     return values;
 }
 
@@ -61,13 +64,15 @@ TEST_CASE("the search finds linear planes for even casters, planes near the ligh
     CHECK(split_error({planes, sparse}, 8, 0.0) < 1e-5);  // linear interpolation of a line
     CHECK(find_split_ratio({planes, sparse}, 8) == 0.0);
 
-    const std::vector<float> dense = profile(planes, [](double x) { return 20.0 * std::log1p(50.0 * x); });
+    const std::vector<float> dense =
+        profile(planes, [](double x) { return 20.0 * std::log1p(50.0 * x); });
     CHECK(find_split_ratio({planes, dense}, 8) >= 0.5);
 }
 
 TEST_CASE("more layers rebuild a profile better, and the found ratio is the best of the eleven") {
     const std::vector<float> planes = layer_planes(64, 0.5);
-    const std::vector<float> values = profile(planes, [](double x) { return 6.0 * x * x + 3.0 * std::sqrt(x); });
+    const std::vector<float> values =
+        profile(planes, [](double x) { return 6.0 * x * x + 3.0 * std::sqrt(x); });
     const OpticalDepthProfiles profiles{planes, values};
     CHECK(split_error(profiles, 32, 0.5) < split_error(profiles, 8, 0.5));
     CHECK(split_error(profiles, 8, 0.5) < split_error(profiles, 2, 0.5));

@@ -106,7 +106,7 @@ def _segment(p: Array, width: Array, opacity: Array, i: int):
 
 
 def transmittance(lists: TexelLists, points_ls: Array, bias: float) -> Array:
-    """The mean of T over the four nearest texels; T counts fragments strictly in front of the biased depth."""
+    """The mean over the four nearest texels of T in front of the biased depth."""
     result = np.ones(len(points_ls))
     for n, (x, y, z) in enumerate(points_ls):
         left, low = math.floor(x - 0.5), math.floor(y - 0.5)

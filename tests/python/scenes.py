@@ -17,10 +17,16 @@ def tangle(seed: int = 1, strands: int = 40, points: int = 8, step: float = 1.0)
 def hair_over_ball():
     points, offsets = tangle(7, strands=120)
     u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 17), np.linspace(0, np.pi, 9))
-    ball = 2.5 * np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], -1).reshape(-1, 3)
+    ball = 2.5 * np.stack([np.cos(u) * np.sin(v), np.sin(u) * np.sin(v), np.cos(v)], -1).reshape(
+        -1, 3
+    )
     row = np.arange(16)
-    quads = np.concatenate([np.stack([r * 17 + row, r * 17 + row + 1, r * 17 + row + 17], 1) for r in range(8)])
-    other = np.concatenate([np.stack([r * 17 + row + 1, r * 17 + row + 18, r * 17 + row + 17], 1) for r in range(8)])
+    quads = np.concatenate(
+        [np.stack([r * 17 + row, r * 17 + row + 1, r * 17 + row + 17], 1) for r in range(8)]
+    )
+    other = np.concatenate(
+        [np.stack([r * 17 + row + 1, r * 17 + row + 18, r * 17 + row + 17], 1) for r in range(8)]
+    )
     scene = po.Scene()
     scene.add(po.Strands(points, offsets, width=0.2, opacity=0.3))
     scene.add(po.Mesh(ball, np.concatenate([quads, other])))

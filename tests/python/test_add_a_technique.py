@@ -19,7 +19,8 @@ int main() {
     using namespace opacity;
     auto scene = std::make_shared<Scene>();
     scene->add(std::make_shared<Mesh>(Positions{std::vector<float>{-1, -1, 0, 1, -1, 0, 0, 1, 0}},
-                                      std::vector<std::uint32_t>{0, 1, 2}, std::vector<float3>{}, std::vector<float>{0.5f}));
+                                      std::vector<std::uint32_t>{0, 1, 2}));
+    scene->shapes().front()->set_opacity({0.5f});
     scene->add(std::make_shared<DirectionalLight>(double3{0, 0, -1}));
     auto technique = std::shared_ptr<Technique>(make_technique("first_hit"));
     technique->param("strength").assign(2.0);
@@ -52,7 +53,8 @@ def test_the_guide_adds_a_technique(needs_gl, tmp_path):
     build = tmp_path / "build"
     run(
         "cmake", "-S", copy, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-        f"-DPython_EXECUTABLE={sys.executable}", "-DOPACITY_BUILD_DEMO=OFF", "-DOPACITY_BUILD_TESTS=OFF",
+        f"-DPython_EXECUTABLE={sys.executable}",
+        "-DOPACITY_BUILD_DEMO=OFF", "-DOPACITY_BUILD_TESTS=OFF",
     )  # fmt: skip
     run("cmake", "--build", build, "--target", "opacity")
     library = next(build.rglob("libopacity.so"))
@@ -67,6 +69,8 @@ def test_the_guide_adds_a_technique(needs_gl, tmp_path):
 
 
 def run(*command: object) -> str:
-    result = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
+    result = subprocess.run(
+        [str(part) for part in command], capture_output=True, text=True, check=False
+    )
     assert result.returncode == 0, result.stdout[-4000:] + result.stderr[-4000:]
     return result.stdout

@@ -1,11 +1,11 @@
-"""The deposit rule: optical depth that depends neither on the map's resolution, nor on how a strand is cut."""
+"""The deposit rule: optical depth does not depend on the map's size, nor on how a strand is cut."""
 
 import numpy as np
 import pytest
-import reference
-from scenes import tangle
 
 import pyopacity as po
+import reference
+from scenes import tangle
 
 LIGHT = (0.5, 0.3, -0.8)
 FAINT = 1e-3  # optical depth is then opacity times area, to 5e-4
@@ -26,7 +26,7 @@ def deposited(scene_shapes, map_size, direction=LIGHT):
 
 
 def ribbon_area(points, offsets, width, direction=LIGHT):
-    """The area that ribbons facing the light cover as it sees them: projected length times width."""
+    """What ribbons facing the light cover as it sees them: projected length times width."""
     d = np.array(direction) / np.linalg.norm(direction)
     area = 0.0
     for first, end in zip(offsets[:-1], offsets[1:], strict=True):
@@ -52,7 +52,10 @@ def test_cutting_segments_in_two_changes_no_texel(needs_gl):
     cut[:, ::2], cut[:, 1::2] = strands, middles
     whole, _ = deposited(po.Strands(points, offsets, width=0.1, opacity=0.3), 256)
     parts, _ = deposited(
-        po.Strands(cut.reshape(-1, 3).copy(), np.arange(count + 1) * cut.shape[1], width=0.1, opacity=0.3), 256
+        po.Strands(
+            cut.reshape(-1, 3).copy(), np.arange(count + 1) * cut.shape[1], width=0.1, opacity=0.3
+        ),
+        256,
     )
     assert parts == pytest.approx(whole, rel=1e-5)
 
@@ -65,7 +68,9 @@ def test_turning_the_scene_about_the_light_keeps_the_area(needs_gl):
         a = np.radians(degrees)
         turn = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
         total, _ = deposited(
-            po.Strands(np.ascontiguousarray(points @ turn.T), offsets, width=0.1, opacity=FAINT), 256, direction
+            po.Strands(np.ascontiguousarray(points @ turn.T), offsets, width=0.1, opacity=FAINT),
+            256,
+            direction,
         )
         areas.append(total)
     assert areas == pytest.approx([areas[0]] * 4, rel=1e-2)
@@ -73,12 +78,14 @@ def test_turning_the_scene_about_the_light_keeps_the_area(needs_gl):
 
 @pytest.mark.parametrize("opacity", [1e-8, 1e-3, 0.1, 0.5, 0.9, 0.999999])
 def test_the_map_holds_what_float64_says(needs_gl, opacity):
-    """Every texel, for a strand both thinner and wider than one; -log1p(-opacity c) f in float64."""
+    """For strands thinner and wider than a texel; -log1p(-opacity c) f in float64."""
     points, offsets = tangle(seed=3, strands=6)
     for width in (0.02, 0.9):
         total, matrix = deposited(po.Strands(points, offsets, width=width, opacity=opacity), 64)
         n = len(points)
-        lists = reference.deposit(points, offsets, np.full(n, width), np.full(n, float(np.float32(opacity))), matrix, 64)
+        lists = reference.deposit(
+            points, offsets, np.full(n, width), np.full(n, float(np.float32(opacity))), matrix, 64
+        )
         expected = lists.total_optical_depth / reference.texels_per_unit(matrix) ** 2
         assert total == pytest.approx(expected, rel=2e-4)
 
@@ -96,5 +103,7 @@ def test_an_opaque_thin_strand_is_translucent_in_the_map(needs_gl):
 
 def test_a_strand_along_the_light_casts_nothing(needs_gl):
     points = np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
-    total, _ = deposited(po.Strands(points, np.array([0, 2]), width=0.1, opacity=0.5), 64, (0, 0, -1))
+    total, _ = deposited(
+        po.Strands(points, np.array([0, 2]), width=0.1, opacity=0.5), 64, (0, 0, -1)
+    )
     assert total == 0.0

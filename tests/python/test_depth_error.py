@@ -41,7 +41,9 @@ def test_the_error_falls_with_layers(needs_gl, split):
 def test_the_search_finds_nearly_the_best_ratio(needs_gl, layers):
     scene, strands = small_hair()
     found = error_of(scene, strands, layers=layers, split="auto")
-    fixed = [error_of(scene, strands, layers=layers, split="hybrid", split_ratio=r / 5) for r in range(6)]
+    fixed = [
+        error_of(scene, strands, layers=layers, split="hybrid", split_ratio=r / 5) for r in range(6)
+    ]
     assert found <= 1.1 * min(fixed)
     assert found < max(fixed)
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-import reference
-from scenes import tangle
 
 import pyopacity as po
+import reference
+from scenes import tangle
 
 
 def lit(shapes, direction=(0.5, 0.3, -0.8)):
@@ -15,7 +15,9 @@ def lit(shapes, direction=(0.5, 0.3, -0.8)):
     return scene
 
 
-@pytest.mark.parametrize(("seed", "map_size", "width"), [(1, 16, 0.3), (2, 64, 0.05), (3, 32, 1.5), (4, 128, 0.4)])
+@pytest.mark.parametrize(
+    ("seed", "map_size", "width"), [(1, 16, 0.3), (2, 64, 0.05), (3, 32, 1.5), (4, 128, 0.4)]
+)
 def test_exact_equals_a_brute_force_over_fragments(needs_gl, seed, map_size, width):
     points, offsets = tangle(seed)
     rng = np.random.default_rng(seed)
@@ -28,7 +30,10 @@ def test_exact_equals_a_brute_force_over_fragments(needs_gl, seed, map_size, wid
         got = r.transmittance(strands)
         matrix = r.light_from_world
     # What the engine stores is float32.
-    widths, opacities = widths.astype(np.float32).astype(float), opacities.astype(np.float32).astype(float)
+    widths, opacities = (
+        widths.astype(np.float32).astype(float),
+        opacities.astype(np.float32).astype(float),
+    )
     lists = reference.deposit(points, offsets, widths, opacities, matrix, map_size)
     expected = reference.transmittance(
         lists, reference.light_points(matrix, points), bias / reference.depth_range(matrix)
@@ -49,14 +54,21 @@ def test_exact_is_the_same_on_every_run(needs_gl):
 
 @pytest.mark.parametrize("overlaps", [1, 2, 3, 1000, 20_000])
 def test_many_fragments_in_one_texel_add_up(needs_gl, overlaps):
-    """N equal strands on top of each other: T behind them is that of one to the power of N, over any list length."""
+    """Behind N equal strands T is that of one to the power of N, however long the list."""
     z = np.linspace(0, 1, overlaps) if overlaps > 1 else np.zeros(1)
     points = np.zeros((overlaps, 2, 3))
     points[:, 0, 0], points[:, 1, 0] = -8, 8  # over several whole texels
     points[:, :, 2] = z[:, None]
     tau = 2.0 / overlaps
     opacity = -np.expm1(-tau)
-    strands = po.Strands(points.reshape(-1, 3), np.arange(overlaps + 1) * 2, width=16.0, opacity=float(opacity))
-    with po.Renderer(lit(strands, (0, 0, -1)), size=(8, 8), technique=po.technique("exact", bias=0.0), map_size=16) as r:
+    strands = po.Strands(
+        points.reshape(-1, 3), np.arange(overlaps + 1) * 2, width=16.0, opacity=float(opacity)
+    )
+    with po.Renderer(
+        lit(strands, (0, 0, -1)),
+        size=(8, 8),
+        technique=po.technique("exact", bias=0.0),
+        map_size=16,
+    ) as r:
         behind = r.transmittance(np.array([[0.0, 0.0, -1.0]]))
     assert -np.log(behind[0]) == pytest.approx(2.0, rel=2e-4)

@@ -2,16 +2,18 @@
 
 import numpy as np
 import pytest
-from scenes import hair_over_ball, tangle
 
 import pyopacity as po
+from scenes import hair_over_ball, tangle
 
 ALL = sorted(po.techniques())
 CASTING = [name for name in ALL if name != "unshadowed"]
 
 
 def small(scene, technique, **options):
-    return po.Renderer(scene, size=(48, 32), technique=technique, map_size=64, antialiasing=1, **options)
+    return po.Renderer(
+        scene, size=(48, 32), technique=technique, map_size=64, antialiasing=1, **options
+    )
 
 
 @pytest.mark.parametrize("name", ALL)
@@ -88,12 +90,18 @@ def test_a_thin_object_is_lit_on_itself_and_dark_behind(needs_gl, name):
 
 @pytest.mark.parametrize("name", CASTING)
 def test_a_ladder_of_sheets_multiplies(needs_gl, name):
-    """Between sheets that lie on layer planes, T is the product of those in front, to the layer's ramp."""
+    """Between sheets, T is the product of those in front, to the layer's ramp."""
     count, tau = 8, 0.25
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
     scene = po.Scene()
     for k in range(count):
-        scene.add(po.Mesh(corners - [0, 0, k], np.array([[0, 1, 2], [0, 2, 3]]), opacity=float(-np.expm1(-tau))))
+        scene.add(
+            po.Mesh(
+                corners - [0, 0, k],
+                np.array([[0, 1, 2], [0, 2, 3]]),
+                opacity=float(-np.expm1(-tau)),
+            )
+        )
     scene.add(po.DirectionalLight(direction=(0, 0, -1)))
     points = np.stack([np.full(3, 0.1), np.full(3, 0.2), np.array([5.0, -3.5, -50.0])], 1)
     with small(scene, name) as r:
@@ -122,7 +130,14 @@ def test_far_from_the_origin_nothing_changes(needs_gl, name, offset):
 def test_a_transform_moves_the_shadow_as_moved_points_would(needs_gl):
     points, offsets = tangle(10, strands=60)
     a = np.radians(30)
-    m = np.array([[2 * np.cos(a), -2 * np.sin(a), 0, 5], [2 * np.sin(a), 2 * np.cos(a), 0, -3], [0, 0, 2, 1], [0, 0, 0, 1]])
+    m = np.array(
+        [
+            [2 * np.cos(a), -2 * np.sin(a), 0, 5],
+            [2 * np.sin(a), 2 * np.cos(a), 0, -3],
+            [0, 0, 2, 1],
+            [0, 0, 0, 1],
+        ]
+    )
     moved = po.Strands(points @ m[:3, :3].T + m[:3, 3], offsets, width=0.4, opacity=0.3)
     transformed = po.Strands(points, offsets, width=0.2, opacity=0.3)
     transformed.transform = m

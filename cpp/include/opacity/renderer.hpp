@@ -1,4 +1,5 @@
-// Renders a scene, and answers how much light reaches a point. Skips whatever has not changed since the last frame.
+// Renders a scene, and answers how much light reaches a point. Skips whatever has not changed since
+// the last frame.
 #pragma once
 
 #include <array>
@@ -21,9 +22,14 @@ struct RenderSettings : ParamOwner {
     RenderSettings() : ParamOwner{"renderer"} {}
     Param<int> width{*this, "width", 1024, {1, 16384}, "Pixels of the picture, across."};
     Param<int> height{*this, "height", 768, {1, 16384}, "Pixels of the picture, down."};
-    Param<int> map_size{*this, "map_size", 512, {1, 16384}, "Texels along each side of the light's maps."};
+    Param<int> map_size{
+        *this, "map_size", 512, {1, 16384}, "Texels along each side of the light's maps."};
     Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
-    Param<double> ambient{*this, "ambient", 0.12, {0.0, 100.0}, "Light from everywhere, unshadowed, as a factor of colour."};
+    Param<double> ambient{*this,
+                          "ambient",
+                          0.12,
+                          {0.0, 100.0},
+                          "Light from everywhere, unshadowed, as a factor of colour."};
     Param<double> specular{*this, "specular", 0.25, {0.0, 100.0}, "Strength of the highlight."};
     Param<double> shininess{*this, "shininess", 40.0, {1.0, 10000.0}, "Exponent of the highlight."};
 };
@@ -37,8 +43,8 @@ struct TextureContent {
 class Renderer {
    public:
     // Without a context, a headless one is made. One light at most is rendered by this version.
-    Renderer(std::shared_ptr<Scene> scene, const Camera& camera, std::shared_ptr<Technique> technique = {},
-             std::shared_ptr<gl::Context> context = {});
+    Renderer(std::shared_ptr<Scene> scene, const Camera& camera,
+             std::shared_ptr<Technique> technique = {}, std::shared_ptr<gl::Context> context = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
@@ -60,7 +66,8 @@ class Renderer {
     // T in [0, 1] at world points: the fraction of the light that arrives there. 1 without a light.
     std::vector<float> transmittance(const Positions& world_points, int light = 0);
 
-    // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along the light.
+    // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along
+    // the light.
     double4x4 light_from_world() const;
 
     const Report& report() const;
@@ -68,6 +75,9 @@ class Renderer {
     TextureContent read(const std::string& texture) const;
     // Forgets every cached pass.
     void invalidate();
+    // Called before each pass that runs, on the rendering thread; may throw to stop a long frame.
+    // What ran is kept.
+    void set_interrupt_check(std::function<void()> check);
     // Searches the split again at the next frame.
     void needs_recompute();
 

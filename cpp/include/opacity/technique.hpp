@@ -1,5 +1,5 @@
-// A technique turns casters, seen from a light, into textures, and knows how to look transmittance up in them.
-// docs/add_a_technique.md walks through a new one: three files and one line.
+// A technique turns casters, seen from a light, into textures, and knows how to look transmittance
+// up in them. docs/add_a_technique.md walks through a new one: three files and one line.
 #pragma once
 
 #include <memory>
@@ -20,9 +20,11 @@ struct ShadowInputs {
     bool has_opaque;
     int map_size_px;
 
-    // A shader and the reads for a pass that draws casters through lib/deposit.glsl. It leaves out what lies behind opaque
-    // casters, if there are any; with `optical_depth` it also reads opacities.
-    Shader caster_shader(const std::string& fragment, bool optical_depth, Defines defines = {}) const;
+    // A shader and the reads for a pass that draws casters through lib/deposit.glsl. It leaves out
+    // what lies behind opaque casters, if there are any; with `optical_depth` it also reads
+    // opacities.
+    Shader caster_shader(const std::string& fragment, bool optical_depth,
+                         Defines defines = {}) const;
     Reads caster_reads(bool optical_depth, Reads more = {}) const;
     TextureDesc map(Format format, int layers = 0) const {
         return {.format = format, .width = map_size_px, .height = map_size_px, .layers = layers};
@@ -45,8 +47,11 @@ class Technique : public ParamOwner {
     // float shadow_transmittance(vec3 p_ls).
     std::string shader_path() const { return "techniques/" + name() + ".glsl"; }
 
-    AutoParam bias{*this, "bias", {0.0, 1e9},
-                   "World units toward the light within which casters do not count; auto: the strand width, at least "
+    AutoParam bias{*this,
+                   "bias",
+                   {0.0, 1e9},
+                   "World units toward the light within which casters do not count; auto: the "
+                   "strand width, at least "
                    "1e-4 of the casters' radius."};
 };
 

@@ -62,6 +62,9 @@ void bind_context(py::module_& module) {
         .def_property_readonly(
             "is_software", [](const LoggedContext& self) { return self.context->is_software(); },
             "True where the CPU draws.")
+        .def(
+            "limits", [](LoggedContext& self) { return self.context->limits(); },
+            "What the driver can at most do: (name, number) each.")
         .def_property_readonly(
             "live_objects", [](const LoggedContext& self) { return self.context->live_objects(); },
             "OpenGL objects that are alive: 0 after the last renderer on it is closed.")

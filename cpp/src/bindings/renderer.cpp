@@ -19,6 +19,11 @@ std::unique_ptr<Renderer> make_renderer(std::shared_ptr<Scene> scene, const Came
                                               context.context);
     }
     check_signals();
+    // Ctrl-C stops a long frame at its next pass.
+    renderer->set_interrupt_check([] {
+        const py::gil_scoped_acquire acquire;
+        check_signals();
+    });
     return renderer;
 }
 
@@ -46,7 +51,8 @@ py::array transmittance(Renderer& self, const py::array& xyz, int light) {
 py::tuple report(const Renderer& self) {
     py::list rows;
     for (const PassReport& row : self.report())
-        rows.append(py::make_tuple(text(row.name), to_string(row.status), text(row.why), row.ms));
+        rows.append(py::make_tuple(text(row.name), to_string(row.status), text(row.why), row.ms,
+                                   text(row.note)));
     return py::make_tuple(rows, text(to_string(self.report())));
 }
 

@@ -43,9 +43,9 @@ void ParamBase::reject(const ParamValue& value) const {
     const bool is_number = !is_text && !std::holds_alternative<bool>(value);
     const bool wants_number = type() == "int" || type() == "float";
     const char* problem = is_number && wants_number ? " is outside " : " is not one of ";
-    throw ParameterError(owner_.name() + "." + name() + " = " + to_string(value) + problem + range(),
-                         "choose " + range() +
-                             "; pyopacity techniques lists every parameter with its range");
+    throw ParameterError(
+        owner_.name() + "." + name() + " = " + to_string(value) + problem + range(),
+        "choose " + range() + "; pyopacity techniques lists every parameter with its range");
 }
 
 ParamBase& ParamOwner::param(std::string_view name) const {
@@ -126,7 +126,8 @@ void Param<bool>::assign(const ParamValue& value) {
 
 std::string Choice::range() const {
     std::string list;
-    for (const std::string& choice : choices_) list += (list.empty() ? "\"" : ", \"") + choice + "\"";
+    for (const std::string& choice : choices_)
+        list += (list.empty() ? "\"" : ", \"") + choice + "\"";
     return list;
 }
 

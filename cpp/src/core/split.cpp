@@ -32,7 +32,8 @@ double split_curve(double x, double ratio) {
 
 double split_inverse(double y, double ratio) {
     double low = 0.0, high = 1.0;
-    // Bisection alone: 50 halvings are exact enough, always converge, and run K times a frame at most.
+    // Bisection alone: 50 halvings are exact enough, always converge, and run K times a frame at
+    // most.
     for (int i = 0; i < 50; ++i) {
         const double middle = 0.5 * (low + high);
         (split_curve(middle, ratio) < y ? low : high) = middle;
@@ -50,22 +51,26 @@ std::vector<float> layer_planes(int layers, double ratio) {
 double split_error(const OpticalDepthProfiles& profiles, int layers, double ratio) {
     const std::vector<float> planes = layer_planes(layers, ratio);
     const std::size_t fine = profiles.planes.size() - 1;
-    // Where the K planes lie among the fine ones, and the fine ones among the K: the same for every texel.
+    // Where the K planes lie among the fine ones, and the fine ones among the K: the same for every
+    // texel.
     std::vector<Cell> coarse_in_fine, fine_in_coarse;
     for (float x : planes) coarse_in_fine.push_back(cell_of(profiles.planes, x));
     for (std::size_t k = 1; k <= fine; ++k)
-        fine_in_coarse.push_back(cell_of(planes, 0.5 * (profiles.planes[k - 1] + profiles.planes[k])));
+        fine_in_coarse.push_back(
+            cell_of(planes, 0.5 * (profiles.planes[k - 1] + profiles.planes[k])));
 
     std::vector<double> exact(fine + 1), layered(planes.size());
     double squares = 0.0, weights = 0.0;
     for (std::size_t texel = 0; texel < profiles.texel_count(); ++texel) {
         std::copy_n(profiles.values.begin() + texel * fine, fine, exact.begin() + 1);
-        for (std::size_t k = 0; k < planes.size(); ++k) layered[k] = interpolate(exact, coarse_in_fine[k]);
+        for (std::size_t k = 0; k < planes.size(); ++k)
+            layered[k] = interpolate(exact, coarse_in_fine[k]);
         for (std::size_t k = 1; k <= fine; ++k) {
             const double weight = exact[k] - exact[k - 1];  // receivers are where casters are
             if (!(weight > 0.0)) continue;
             const double mean_of_cell = std::exp(-exact[k - 1]) * -std::expm1(-weight) / weight;
-            const double error = std::exp(-interpolate(layered, fine_in_coarse[k - 1])) - mean_of_cell;
+            const double error =
+                std::exp(-interpolate(layered, fine_in_coarse[k - 1])) - mean_of_cell;
             squares += weight * error * error;
             weights += weight;
         }

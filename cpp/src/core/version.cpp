@@ -2,6 +2,8 @@
 
 namespace opacity {
 
-const char* version() { return OPACITY_VERSION; }
+const char* version() {
+    return OPACITY_VERSION;
+}
 
 }  // namespace opacity

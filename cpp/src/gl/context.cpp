@@ -90,6 +90,25 @@ bool Context::is_software() const {
     return false;
 }
 
+std::vector<std::pair<std::string, std::int64_t>> Context::limits() {
+    constexpr std::pair<const char*, GLenum> names[] = {
+        {"texture size", GL_MAX_TEXTURE_SIZE},
+        {"texture array layers", GL_MAX_ARRAY_TEXTURE_LAYERS},
+        {"draw buffers", GL_MAX_DRAW_BUFFERS},
+        {"samples", GL_MAX_SAMPLES},
+        {"storage buffer bytes", GL_MAX_SHADER_STORAGE_BLOCK_SIZE},
+        {"storage buffers of a vertex shader", GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS},
+        {"images of a fragment shader", GL_MAX_FRAGMENT_IMAGE_UNIFORMS}};
+    const Use use{*this};
+    std::vector<std::pair<std::string, std::int64_t>> limits;
+    for (const auto& [name, limit] : names) {
+        GLint64 value = 0;
+        gl_->GetInteger64v(limit, &value);
+        limits.emplace_back(name, value);
+    }
+    return limits;
+}
+
 void Context::log(LogLevel level, std::string_view message) const noexcept {
     if (!logger_) return;
     try {

@@ -14,6 +14,7 @@ Reads all_reads(const Pass& pass) {
     Reads reads = pass.reads;
     if (pass.view) reads.push_back(pass.view);
     if (pass.draws) reads.push_back(&pass.draws->geometry);
+    if (pass.only_with) reads.push_back(&pass.only_with->geometry);
     return reads;
 }
 
@@ -24,7 +25,12 @@ std::set<const Source*> all_outputs(const Pass& pass) {
     return outputs;
 }
 
-bool nothing_to_draw(const Pass& pass) { return pass.draws && pass.draws->shapes().empty(); }
+// The list without whose shapes the pass has nothing to do, if it is empty.
+const DrawList* empty_list(const Pass& pass) {
+    for (const DrawList* list : {pass.draws, pass.only_with})
+        if (list && list->shapes().empty()) return list;
+    return nullptr;
+}
 
 template <class Names>
 std::string joined(const Names& names) {
@@ -61,7 +67,8 @@ Texture& FrameGraph::texture(const std::string& name, const TextureDesc& desc) {
 
 Texture& FrameGraph::growing_texture(const std::string& name, Format format) {
     const auto found = textures_.find(prefix_ + name);
-    return texture(name, found != textures_.end() ? found->second->desc() : TextureDesc{.format = format});
+    return texture(
+        name, found != textures_.end() ? found->second->desc() : TextureDesc{.format = format});
 }
 
 Buffer& FrameGraph::buffer(const std::string& name) {
@@ -97,7 +104,8 @@ void FrameGraph::check(const Pass& pass) const {
         for (const Target& mine : pass.writes)
             for (const Target& theirs : earlier.writes)
                 if (mine.texture == theirs.texture && mine.layer == theirs.layer)
-                    fail("writes \"" + mine.texture->name() + "\", which \"" + earlier.name + "\" writes",
+                    fail("writes \"" + mine.texture->name() + "\", which \"" + earlier.name +
+                             "\" writes",
                          "one writer a texture layer: declare a second texture");
     }
 }
@@ -106,8 +114,9 @@ std::set<const Source*> FrameGraph::needed_for(const Resource& goal) const {
     std::set<const Source*> needed{&goal};
     for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
         const auto outputs = all_outputs(*pass);
-        const bool feeds_goal = std::any_of(outputs.begin(), outputs.end(),
-                                            [&](const Source* output) { return needed.contains(output); });
+        const bool feeds_goal =
+            std::any_of(outputs.begin(), outputs.end(),
+                        [&](const Source* output) { return needed.contains(output); });
         if (!feeds_goal) continue;
         // A pass that writes some layers of a texture needs the writers of the others.
         needed.insert(outputs.begin(), outputs.end());
@@ -119,7 +128,8 @@ std::set<const Source*> FrameGraph::needed_for(const Resource& goal) const {
 
 std::vector<FrameGraph::Read> FrameGraph::reads_now(const Pass& pass) const {
     std::vector<Read> reads;
-    if (!pass.shader.vertex.empty() || !pass.shader.compute.empty()) reads.push_back({"shaders", shader_revision_});
+    if (!pass.shader.vertex.empty() || !pass.shader.compute.empty())
+        reads.push_back({"shaders", shader_revision_});
     for (const Source* read : all_reads(pass)) reads.push_back({read->name(), read->revision()});
     return reads;
 }
@@ -151,10 +161,12 @@ void FrameGraph::run(const Resource& goal) {
     const std::set<const Source*> needed = needed_for(goal);
     for (const Pass& pass : passes_) {
         const auto outputs = all_outputs(pass);
-        const bool is_needed = std::any_of(outputs.begin(), outputs.end(),
-                                           [&](const Source* output) { return needed.contains(output); });
+        const bool is_needed =
+            std::any_of(outputs.begin(), outputs.end(),
+                        [&](const Source* output) { return needed.contains(output); });
         report_.push_back(step(pass, is_needed));
-        if (!is_needed) report_.back().why = "nothing that \"" + goal.name() + "\" needs reads its output";
+        if (!is_needed)
+            report_.back().why = "nothing that \"" + goal.name() + "\" needs reads its output";
     }
 }
 
@@ -163,20 +175,24 @@ PassReport FrameGraph::step(const Pass& pass, bool needed) {
     if (!needed) return {.name = pass.name, .status = Status::culled};
     std::vector<Read> now = reads_now(pass);
     const auto last = records_.find(pass.name);
-    const bool empty = nothing_to_draw(pass);
-    const std::string no_shapes = empty ? "no " + pass.draws->name() : "";
+    const DrawList* empty = empty_list(pass);
+    const std::string no_shapes = empty ? "no " + empty->name() : "";
     if (last != records_.end() && last->second.reads == now && outputs_intact(pass))
-        return {pass.name, empty ? Status::culled : Status::cached, empty ? no_shapes : "no read moved", 0.0,
-                last->second.note};
+        return {pass.name, empty ? Status::culled : Status::cached,
+                empty ? no_shapes : "no read moved", 0.0, last->second.note};
 
-    const std::string why = last == records_.end() ? "first run" : why_again(last->second.reads, now);
+    const std::string why =
+        last == records_.end() ? "first run" : why_again(last->second.reads, now);
+    if (interrupt_check_) interrupt_check_();
     records_.erase(pass.name);  // forgotten first: a pass that throws stays to be run
     const auto start = std::chrono::steady_clock::now();
     std::string note = execute(pass, empty);
     device_.finish();
-    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
     records_[pass.name] = {std::move(now), note};
-    return {pass.name, empty ? Status::culled : Status::ran, empty ? no_shapes : why, elapsed.count(), note};
+    return {pass.name, empty ? Status::culled : Status::ran, empty ? no_shapes : why,
+            elapsed.count(), note};
 }
 
 std::string FrameGraph::why_again(const std::vector<Read>& last, const std::vector<Read>& now) {

@@ -6,7 +6,8 @@
 namespace opacity {
 namespace {
 
-[[noreturn]] void undeclared(const Pass& pass, const Source& source, const char* what, const char* field) {
+[[noreturn]] void undeclared(const Pass& pass, const Source& source, const char* what,
+                             const char* field) {
     throw ParameterError("pass \"" + pass.name + "\" " + what + " \"" + source.name() +
                              "\", which it did not declare",
                          "add &" + source.name() + " to ." + field + " of the pass");
@@ -14,7 +15,9 @@ namespace {
 
 }  // namespace
 
-void PassContext::draw() { graph_.device_.draw(pass_); }
+void PassContext::draw() {
+    graph_.device_.draw(pass_);
+}
 
 void PassContext::dispatch(int x, int y, int z, const Uniforms& extra) {
     if (x > 0 && y > 0 && z > 0) graph_.device_.dispatch(pass_, {x, y, z}, extra);

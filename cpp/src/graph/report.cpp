@@ -47,8 +47,12 @@ std::string FrameGraph::dot() const {
             if (row.name == pass.name) status = to_string(row.status);
         nodes.insert("  " + node + " [shape=box, style=" + (status == "ran" ? "bold" : "dashed") +
                      ", label=\"" + pass.name + "\\n" + status + "\"];\n");
-        const auto reads = [&](const Source& s) { edges.insert("  " + source(s) + " -> " + node + ";\n"); };
-        const auto writes = [&](const Source& s) { edges.insert("  " + node + " -> " + source(s) + ";\n"); };
+        const auto reads = [&](const Source& s) {
+            edges.insert("  " + source(s) + " -> " + node + ";\n");
+        };
+        const auto writes = [&](const Source& s) {
+            edges.insert("  " + node + " -> " + source(s) + ";\n");
+        };
         for (const Source* read : pass.reads) reads(*read);
         if (pass.view) reads(*pass.view);
         if (pass.draws) reads(pass.draws->geometry);

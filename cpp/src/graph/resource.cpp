@@ -19,7 +19,8 @@ int channels(Format format) {
 }
 
 std::size_t size_bytes(const TextureDesc& desc) {
-    return std::size_t(desc.width) * desc.height * std::max(desc.layers, 1) * channels(desc.format) * 4;
+    return std::size_t(desc.width) * desc.height * std::max(desc.layers, 1) *
+           channels(desc.format) * 4;
 }
 
 void ShapePart::update(std::vector<Revision> signature) {
@@ -35,7 +36,8 @@ void DrawList::update(std::vector<ShapePtr> shapes) {
         const Shape::Revisions& now = shape->revisions();
         geometry_now.insert(geometry_now.end(), {now.geometry, now.transform});
         opacity_now.push_back(now.opacity);
-        // What the camera sees of a shape: its colour, whether it receives, and whether it is opaque.
+        // What the camera sees of a shape: its colour, whether it receives, and whether it is
+        // opaque.
         color_now.insert(color_now.end(), {now.color, now.flags, shape->opaque() ? 1u : 0u});
     }
     geometry.update(std::move(geometry_now));

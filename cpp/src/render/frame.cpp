@@ -10,8 +10,8 @@ namespace {
 constexpr int group_size = 64;      // transmittance.comp.glsl
 constexpr int most_groups = 32768;  // a dispatch takes 65,535 a dimension
 
-// Reversed and without a far plane: depth is near / distance, which float32 resolves over any range. Rows go down, so
-// that the first row read back is the top of the picture.
+// Reversed and without a far plane: depth is near / distance, which float32 resolves over any
+// range. Rows go down, so that the first row read back is the top of the picture.
 std::vector<float> clip_from_view(const Camera& camera, double aspect, double near) {
     const double focal = 1.0 / std::tan(camera.fov_deg() * std::numbers::pi / 360.0);
     std::vector<float> columns(16, 0.f);
@@ -28,7 +28,8 @@ double near_distance(const Camera& camera) {
 }
 
 std::vector<float> rotate(const double4x4& m, const double3& v) {
-    return {float(m[0] * v[0] + m[1] * v[1] + m[2] * v[2]), float(m[4] * v[0] + m[5] * v[1] + m[6] * v[2]),
+    return {float(m[0] * v[0] + m[1] * v[1] + m[2] * v[2]),
+            float(m[4] * v[0] + m[5] * v[1] + m[6] * v[2]),
             float(m[8] * v[0] + m[9] * v[1] + m[10] * v[2])};
 }
 
@@ -43,12 +44,14 @@ void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
 
     const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
     const double4x4 view = inputs.camera.view_from_world();
-    camera_.update(view, {{"u_camera_clip_from_view", clip_from_view(inputs.camera, aspect, near_distance(inputs.camera))}});
+    camera_.update(view, {{"u_camera_clip_from_view",
+                           clip_from_view(inputs.camera, aspect, near_distance(inputs.camera))}});
     const double3& travel = light.direction();
     const float3& color = light.color();
     lamp_.update({{"u_to_light_vs", rotate(view, {-travel[0], -travel[1], -travel[2]})},
-                  {"u_light_color", std::vector<float>{color[0] * light.intensity(), color[1] * light.intensity(),
-                                                       color[2] * light.intensity()}}});
+                  {"u_light_color",
+                   std::vector<float>{color[0] * light.intensity(), color[1] * light.intensity(),
+                                      color[2] * light.intensity()}}});
     const float4& b = inputs.background;
     background_.update({{"u_background", std::vector<float>{b[0], b[1], b[2], b[3]}}});
 }
@@ -64,8 +67,8 @@ Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
     if (!inputs.scene.lights().empty()) {
         look_up_shader = inputs.technique.shader_path();
         const FrameGraph::Scope scope{graph_, inputs.technique.name()};
-        lookup = inputs.technique.build(
-            graph_, {light_, lists_.translucent, opaque_depth, !lists_.opaque.shapes().empty(), map_size_px});
+        lookup = inputs.technique.build(graph_, {light_, lists_.translucent, opaque_depth,
+                                                 !lists_.opaque.shapes().empty(), map_size_px});
     }
     if (!lookup.empty()) lookup.insert(lookup.end(), {&opaque_depth, &inputs.technique.bias});
     lookup.push_back(&light_);
@@ -85,7 +88,8 @@ Texture& Frame::add_opaque_depth(int map_size_px) {
     return opaque_depth;
 }
 
-Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup, const std::string& look_up_shader) {
+Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup,
+                             const std::string& look_up_shader) {
     const RenderSettings& settings = inputs.settings;
     TextureDesc picture{.format = Format::rgba32f,
                         .width = settings.width.get(),
@@ -95,8 +99,8 @@ Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup, con
     picture.format = Format::depth32f;
     Texture& depth = graph_.texture("camera_depth", picture);
     Reads reads = lookup;
-    reads.insert(reads.end(), {&lists_.visible.color, &lamp_, &background_, &settings.ambient, &settings.specular,
-                               &settings.shininess});
+    reads.insert(reads.end(), {&lists_.visible.color, &lamp_, &background_, &settings.ambient,
+                               &settings.specular, &settings.shininess});
     const float4& b = inputs.background;
     graph_.add({.name = "lighting",
                 .shader = {.vertex = "lighting.vert.glsl",
@@ -129,7 +133,8 @@ Buffer& Frame::add_transmittance(const Reads& lookup, const std::string& look_up
                     const int groups = (count + group_size - 1) / group_size;
                     const int columns = std::min(groups, most_groups);
                     if (count > 0)
-                        context.dispatch(columns, (groups + columns - 1) / columns, 1, {{"u_point_count", count}});
+                        context.dispatch(columns, (groups + columns - 1) / columns, 1,
+                                         {{"u_point_count", count}});
                     transmittance_ = context.read<float>(result);
                     transmittance_.resize(count);
                 }});

@@ -37,7 +37,8 @@ class Frame {
     void update_sources(const FrameInputs& inputs, const Box& query);
     Texture& add_opaque_depth(int map_size_px);
     // `look_up_shader` defines shadow_transmittance, and takes what `lookup` feeds.
-    Texture& add_lighting(const FrameInputs& inputs, const Reads& lookup, const std::string& look_up_shader);
+    Texture& add_lighting(const FrameInputs& inputs, const Reads& lookup,
+                          const std::string& look_up_shader);
     Buffer& add_transmittance(const Reads& lookup, const std::string& look_up_shader);
 
     GlDevice& device_;

@@ -11,7 +11,8 @@ namespace opacity::render {
 namespace {
 
 std::string program_key(const Shader& shader, const std::string& kind) {
-    std::string key = shader.vertex + "|" + shader.fragment + "|" + shader.compute + "|" + shader.technique + "|" + kind;
+    std::string key = shader.vertex + "|" + shader.fragment + "|" + shader.compute + "|" +
+                      shader.technique + "|" + kind;
     for (const auto& [name, value] : shader.defines) key += "|" + name + "=" + value;
     return key;
 }
@@ -34,9 +35,14 @@ unsigned internal_format(Format format) {
 }
 
 GlDevice::GlDevice(std::shared_ptr<gl::Context> context)
-    : context_{std::move(context)}, shapes_{context_}, framebuffer_{context_}, vertex_array_{context_} {}
+    : context_{std::move(context)},
+      shapes_{context_},
+      framebuffer_{context_},
+      vertex_array_{context_} {}
 
-Revision GlDevice::shader_revision() { return library_.revision(); }
+Revision GlDevice::shader_revision() {
+    return library_.revision();
+}
 
 void GlDevice::allocate(const Resource& resource) {
     release(resource);
@@ -44,15 +50,21 @@ void GlDevice::allocate(const Resource& resource) {
         const TextureDesc& desc = texture->desc();
         const GLenum target = desc.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
         const auto make = [&](int factor) {
-            return gl::Texture{context_, target, internal_format(desc.format), desc.width * factor, desc.height * factor,
+            return gl::Texture{context_,
+                               target,
+                               internal_format(desc.format),
+                               desc.width * factor,
+                               desc.height * factor,
                                std::max(desc.layers, 1)};
         };
         Image image{make(1), nullptr};
-        if (desc.oversampling > 1) image.samples = std::make_unique<gl::Texture>(make(desc.oversampling));
+        if (desc.oversampling > 1)
+            image.samples = std::make_unique<gl::Texture>(make(desc.oversampling));
         images_.emplace(resource.name(), std::move(image));
     } else {
         const auto& buffer = dynamic_cast<const Buffer&>(resource);
-        buffers_.emplace(resource.name(), gl::Buffer{context_, std::max<std::size_t>(buffer.size_bytes(), 16)});
+        buffers_.emplace(resource.name(),
+                         gl::Buffer{context_, std::max<std::size_t>(buffer.size_bytes(), 16)});
     }
 }
 
@@ -79,10 +91,12 @@ void GlDevice::bind_targets(const Pass& pass) {
     for (const Target& target : pass.writes) {
         const TextureDesc& desc = target.texture->desc();
         const bool depth = desc.format == Format::depth32f;
-        const GLenum attachment = depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0 + GLenum(draw_buffers.size());
+        const GLenum attachment =
+            depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0 + GLenum(draw_buffers.size());
         if (!depth) draw_buffers.push_back(attachment);
         if (desc.layers > 0)
-            gl().NamedFramebufferTextureLayer(fbo, attachment, drawn_texture(*target.texture), 0, target.layer);
+            gl().NamedFramebufferTextureLayer(fbo, attachment, drawn_texture(*target.texture), 0,
+                                              target.layer);
         else
             gl().NamedFramebufferTexture(fbo, attachment, drawn_texture(*target.texture), 0);
         note_size(desc);
@@ -106,7 +120,9 @@ void GlDevice::bind_targets(const Pass& pass) {
 
 void GlDevice::set_state(const Pass& pass) const {
     const State& state = pass.state;
-    const auto toggle = [&](GLenum capability, bool on) { on ? gl().Enable(capability) : gl().Disable(capability); };
+    const auto toggle = [&](GLenum capability, bool on) {
+        on ? gl().Enable(capability) : gl().Disable(capability);
+    };
     toggle(GL_DEPTH_TEST, state.depth != Depth::off);
     gl().DepthFunc(state.depth == Depth::greater ? GL_GREATER : GL_LESS);
     gl().DepthMask(GL_TRUE);
@@ -116,7 +132,8 @@ void GlDevice::set_state(const Pass& pass) const {
     gl().Disable(GL_CULL_FACE);
     gl().Disable(GL_SCISSOR_TEST);
     gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    // Depth as it comes out of the projection, without the half of its precision that -1 .. 1 loses.
+    // Depth as it comes out of the projection, without the half of its precision that -1 .. 1
+    // loses.
     gl().ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
@@ -128,7 +145,8 @@ void GlDevice::clear(const Pass& pass) {
         if (target.texture->desc().format == Format::depth32f)
             gl().ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &pass.state.clear_depth);
         else
-            gl().ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, color++, pass.state.clear_color.data());
+            gl().ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, color++,
+                                         pass.state.clear_color.data());
     }
     if (pass.draws && pass.draws->shapes().empty()) resolve(pass);
     gl::check_errors(*context_, "clearing the targets of pass " + pass.name);
@@ -206,8 +224,8 @@ void GlDevice::resolve(const Pass& pass) {
             program({.name = "resolve", .shader = {.compute = "resolve.comp.glsl"}}, "");
         shader.set("u_oversampling", desc.oversampling);
         gl().BindTextureUnit(GLuint(*shader.sampler("t_samples")), image.samples->name());
-        gl().BindImageTexture(GLuint(*shader.image("i_average")), image.texture.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
-                              image.texture.internal_format());
+        gl().BindImageTexture(GLuint(*shader.image("i_average")), image.texture.name(), 0, GL_FALSE,
+                              0, GL_WRITE_ONLY, image.texture.internal_format());
         gl().UseProgram(shader.name());
         gl().DispatchCompute(GLuint(desc.width + 7) / 8, GLuint(desc.height + 7) / 8, 1);
         gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
@@ -217,15 +235,19 @@ void GlDevice::resolve(const Pass& pass) {
 void GlDevice::write(const Resource& resource, std::span<const std::byte> content) {
     if (content.empty()) return;
     const auto image = images_.find(resource.name());
-    image != images_.end() ? image->second.texture.write(content) : buffers_.at(resource.name()).write(content);
+    image != images_.end() ? image->second.texture.write(content)
+                           : buffers_.at(resource.name()).write(content);
 }
 
 void GlDevice::read(const Resource& resource, std::span<std::byte> content) {
     if (content.empty()) return;
     const auto image = images_.find(resource.name());
-    image != images_.end() ? image->second.texture.read(content) : buffers_.at(resource.name()).read(content);
+    image != images_.end() ? image->second.texture.read(content)
+                           : buffers_.at(resource.name()).read(content);
 }
 
-void GlDevice::finish() { gl().Finish(); }
+void GlDevice::finish() {
+    gl().Finish();
+}
 
 }  // namespace opacity::render

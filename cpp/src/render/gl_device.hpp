@@ -1,4 +1,5 @@
-// Executes passes with OpenGL: owns the storage of resources, the programs, and the buffers of shapes.
+// Executes passes with OpenGL: owns the storage of resources, the programs, and the buffers of
+// shapes.
 #pragma once
 
 #include <map>
@@ -54,9 +55,10 @@ class GlDevice : public Device {
     std::shared_ptr<gl::Context> context_;
     gl::ShaderLibrary library_;
     GpuShapes shapes_;
-    std::map<std::string, Image> images_;         // by the resource's name
+    std::map<std::string, Image> images_;  // by the resource's name
     std::map<std::string, gl::Buffer> buffers_;
-    std::map<std::string, std::unique_ptr<gl::Program>> programs_;  // by everything that its text depends on
+    std::map<std::string, std::unique_ptr<gl::Program>>
+        programs_;  // by everything that its text depends on
     Revision programs_revision_ = 0;
     gl::Framebuffer framebuffer_;
     gl::VertexArray vertex_array_;  // empty: shapes are pulled from storage buffers

@@ -50,7 +50,8 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
         const Box bounds = shape.points().bounds();
         gpu.origin = bounds.empty() ? double3{} : bounds.center();
         static const std::vector<float> no_width = {0.f};
-        return make_buffer(context_, shape.points().relative_to(gpu.origin, strands ? strands->width() : no_width));
+        return make_buffer(context_, shape.points().relative_to(
+                                         gpu.origin, strands ? strands->width() : no_width));
     });
     if (strands)
         refresh(gpu.segments, now.geometry, [&] {
@@ -62,7 +63,8 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
             gpu.index_count = int(mesh->triangles().size());
             return make_buffer(context_, mesh->triangles());
         });
-        refresh(gpu.normals, now.geometry, [&] { return make_buffer(context_, padded(mesh->normals())); });
+        refresh(gpu.normals, now.geometry,
+                [&] { return make_buffer(context_, padded(mesh->normals())); });
     }
     refresh(gpu.opacity, now.opacity, [&] {
         gpu.opacity_stride = shape.opacity().size() > 1 ? 1 : 0;

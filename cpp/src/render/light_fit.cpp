@@ -41,7 +41,8 @@ Box crop(const Box& casters, const Box& receivers) {
     }
     // What lies behind every receiver shadows none; what lies in front shadows all.
     box.max[2] = std::min(casters.max[2], receivers.max[2]);
-    const bool disjoint = box.min[0] > box.max[0] || box.min[1] > box.max[1] || box.min[2] > box.max[2];
+    const bool disjoint =
+        box.min[0] > box.max[0] || box.min[1] > box.max[1] || box.min[2] > box.max[2];
     return disjoint ? Box{} : box;
 }
 
@@ -58,19 +59,21 @@ double world_width(const Shape& shape) {
 Box LightFit::caster_box(const Shape& shape, const double4x4& rotation, const double3& direction) {
     Cached& cached = cache_[&shape];
     const Shape::Revisions& now = shape.revisions();
-    if (cached.geometry == now.geometry && cached.transform == now.transform && cached.direction == direction)
+    if (cached.geometry == now.geometry && cached.transform == now.transform &&
+        cached.direction == direction)
         return cached.box;
     Box box;
     for (std::size_t i = 0; i < shape.points().size(); ++i)
-        box.extend(transform_point(rotation, transform_point(shape.transform(), shape.points()[i])));
+        box.extend(
+            transform_point(rotation, transform_point(shape.transform(), shape.points()[i])));
     const Box local = shape.local_bounds(), points = shape.points().bounds();
     const double pad = local.empty() ? 0.0 : (points.min[0] - local.min[0]) * shape.scale();
     cached = {now.geometry, now.transform, direction, box.padded(pad)};
     return cached.box;
 }
 
-void LightFit::update(View& view, const Scene& scene, const DirectionalLight& light, int map_size_px,
-                      const Box& query) {
+void LightFit::update(View& view, const Scene& scene, const DirectionalLight& light,
+                      int map_size_px, const Box& query) {
     const double4x4 rotation = rotation_to(light.direction());
     Box casters, receivers = query.transformed(rotation), casters_in_world;
     double widest = 0.0;
@@ -94,7 +97,8 @@ void LightFit::update(View& view, const Scene& scene, const DirectionalLight& li
     if (box.empty()) box = {{0, 0, 0}, {1, 1, 1}};  // nothing casts: any map will do
 
     const double border = map_size_px >= 4 ? 1.0 : 0.0;
-    const double extent = std::max({box.max[0] - box.min[0], box.max[1] - box.min[1], 1e-6 * box.radius(), 1e-30});
+    const double extent =
+        std::max({box.max[0] - box.min[0], box.max[1] - box.min[1], 1e-6 * box.radius(), 1e-30});
     const double texels_per_unit = (map_size_px - 2.0 * border) / extent;
     const double margin = surfaces ? surface_margin_texels / texels_per_unit : 0.0;
     const double range = std::max(box.max[2] - box.min[2], 1e-6 * extent) + margin;
@@ -103,7 +107,8 @@ void LightFit::update(View& view, const Scene& scene, const DirectionalLight& li
     double4x4 from_world = rotation;
     const double scale[3] = {texels_per_unit, texels_per_unit, 1.0 / range};
     const double3 center = box.center();
-    const double origin[3] = {center[0], center[1], box.min[2]}, offset[3] = {0.5 * map_size_px, 0.5 * map_size_px, 0};
+    const double origin[3] = {center[0], center[1], box.min[2]},
+                 offset[3] = {0.5 * map_size_px, 0.5 * map_size_px, 0};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column) from_world[4 * row + column] *= scale[row];
         from_world[4 * row + 3] = offset[row] - origin[row] * scale[row];

@@ -1,5 +1,5 @@
-// Fits a directional light's map to what casts and what receives: square texels, one texel of border, and a depth
-// range from the first caster to the last one that matters. All in float64.
+// Fits a directional light's map to what casts and what receives: square texels, one texel of
+// border, and a depth range from the first caster to the last one that matters. All in float64.
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@ namespace opacity::render {
 class LightFit {
    public:
     // `query` are world points beyond the scene's receivers that will be asked about.
-    void update(View& view, const Scene& scene, const DirectionalLight& light, int map_size_px, const Box& query);
+    void update(View& view, const Scene& scene, const DirectionalLight& light, int map_size_px,
+                const Box& query);
 
    private:
     // The exact box of a caster in light space, found again only when shape or light moved.

@@ -1,4 +1,5 @@
-// From a shape's buffers to a view: the transform, the view and the origin of the points, joined in float64.
+// From a shape's buffers to a view: the transform, the view and the origin of the points, joined in
+// float64.
 #pragma once
 
 #include "opacity/graph/pass.hpp"
@@ -7,8 +8,9 @@
 
 namespace opacity::render {
 
-// Feeds everything that is the shape's own: its buffers as far as the pass declared them, strides, scale, flags, and for the
-// pass's view and every view among its reads the matrices u_<view>_from_local and u_<view>_normal_from_local.
+// Feeds everything that is the shape's own: its buffers as far as the pass declared them, strides,
+// scale, flags, and for the pass's view and every view among its reads the matrices
+// u_<view>_from_local and u_<view>_normal_from_local.
 void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu);
 
 }  // namespace opacity::render

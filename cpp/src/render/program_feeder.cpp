@@ -19,7 +19,8 @@ void ProgramFeeder::resource(const Resource& resource) {
     const std::string name = "t_" + resource.shader_name();
     fed_.insert(name);
     if (const auto unit = program_.sampler(name))
-        device_.gl().BindTextureUnit(GLuint(*unit), device_.images_.at(resource.name()).texture.name());
+        device_.gl().BindTextureUnit(GLuint(*unit),
+                                     device_.images_.at(resource.name()).texture.name());
 }
 
 void ProgramFeeder::store(const Resource& resource) {
@@ -31,8 +32,9 @@ void ProgramFeeder::store(const Resource& resource) {
     const std::string name = "i_" + resource.shader_name();
     fed_.insert(name);
     if (const auto unit = program_.image(name))
-        device_.gl().BindImageTexture(GLuint(*unit), device_.images_.at(resource.name()).texture.name(), 0, GL_TRUE, 0,
-                                      GL_READ_WRITE, internal_format(texture.desc().format));
+        device_.gl().BindImageTexture(
+            GLuint(*unit), device_.images_.at(resource.name()).texture.name(), 0, GL_TRUE, 0,
+            GL_READ_WRITE, internal_format(texture.desc().format));
 }
 
 void ProgramFeeder::buffer(const std::string& name, unsigned buffer) {
@@ -53,8 +55,9 @@ void ProgramFeeder::require_complete(const Pass& pass) const {
     look(program_.images());
     look(program_.blocks());
     if (missing.empty()) return;
-    throw ShaderError("pass \"" + pass.name + "\" uses " + missing + ", which no declared read feeds",
-                      "add the sources that feed them to .reads (or .stores) of the pass");
+    throw ShaderError(
+        "pass \"" + pass.name + "\" uses " + missing + ", which no declared read feeds",
+        "add the sources that feed them to .reads (or .stores) of the pass");
 }
 
 }  // namespace opacity::render

@@ -1,5 +1,5 @@
-// Hands a pass's declared sources to a program, and holds the pass to its declarations: whatever the program takes and no
-// declared source feeds is an error that names the line to add.
+// Hands a pass's declared sources to a program, and holds the pass to its declarations: whatever
+// the program takes and no declared source feeds is an error that names the line to add.
 #pragma once
 
 #include <set>
@@ -14,7 +14,8 @@ class GlDevice;
 
 class ProgramFeeder : public Feeder {
    public:
-    ProgramFeeder(const GlDevice& device, gl::Program& program) : device_{device}, program_{program} {}
+    ProgramFeeder(const GlDevice& device, gl::Program& program)
+        : device_{device}, program_{program} {}
 
     void uniform(std::string_view name, const UniformValue& value) override;
     void resource(const Resource& resource) override;

@@ -70,16 +70,17 @@ Camera Camera::fit(const Box& bounds, double3 direction, double3 up, double fov_
     return look_at(array(center - ahead * distance), array(center), up, fov_deg);
 }
 
-// From the target, for every corner of the box to lie in the smaller field of view of a square picture.
+// From the target, for every corner of the box to lie in the smaller field of view of a square
+// picture.
 double Camera::distance_to_see(const Box& box) const {
     const double4x4 view = view_from_world();
     const double3 target = transform_point(view, target_);
     const double tangent = std::tan(0.5 * glm::radians(fov_deg_));
     double distance = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
-        const double3 p = transform_point(view, {corner & 1 ? box.max[0] : box.min[0],
-                                                 corner & 2 ? box.max[1] : box.min[1],
-                                                 corner & 4 ? box.max[2] : box.min[2]});
+        const double3 p = transform_point(
+            view, {corner & 1 ? box.max[0] : box.min[0], corner & 2 ? box.max[1] : box.min[1],
+                   corner & 4 ? box.max[2] : box.min[2]});
         const double nearer = p[2] - target[2];  // than the target
         const double off_axis = std::max(std::abs(p[0]), std::abs(p[1]));
         distance = std::max(distance, nearer + off_axis / tangent);

@@ -11,19 +11,25 @@ namespace {
 constexpr int planes_per_target = 4;
 constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
 
-// The histogram that the split search reads back. Cells are laid at ratio .5: fine near the light, where a
-// logarithmic split puts its planes, and fine enough behind. Larger maps have texels enough to take fewer cells.
+// The histogram that the split search reads back. Cells are laid at ratio .5: fine near the light,
+// where a logarithmic split puts its planes, and fine enough behind. Larger maps have texels enough
+// to take fewer cells.
 constexpr double fine_ratio = 0.5;
-int fine_layer_count(int map_size_px) { return map_size_px <= 1024 ? 64 : map_size_px <= 2048 ? 32 : 16; }
+int fine_layer_count(int map_size_px) {
+    return map_size_px <= 1024 ? 64 : map_size_px <= 2048 ? 32 : 16;
+}
 
-// Texels that the search looks at: those of a map of this size, spread over the whole, and of those with casters so many.
+// Texels that the search looks at: those of a map of this size, spread over the whole, and of those
+// with casters so many.
 constexpr int sampled_size_px = 128;
 constexpr std::size_t sampled_texels = 4096;
 
 // Channel c of layer t is plane 4 t + c + 1; the read-back holds one image a layer.
-std::vector<float> sample_profiles(const std::vector<float>& targets, std::size_t texel_count, int layers) {
+std::vector<float> sample_profiles(const std::vector<float>& targets, std::size_t texel_count,
+                                   int layers) {
     const auto plane = [&](std::size_t texel, int k) {
-        return targets[(std::size_t(k / planes_per_target) * texel_count + texel) * planes_per_target +
+        return targets[(std::size_t(k / planes_per_target) * texel_count + texel) *
+                           planes_per_target +
                        k % planes_per_target];
     };
     std::vector<std::size_t> covered;
@@ -44,13 +50,17 @@ Reads BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) 
         add_search(graph, inputs, bounds);
     else
         choose_planes(split.is("logarithmic") ? 1.0 : split.is("hybrid") ? split_ratio.get() : 0.0);
-    Texture& opacity = add_layers(graph, inputs, bounds, "opacity", layers.get(), {&layers, &planes_});
+    Texture& opacity =
+        add_layers(graph, inputs, bounds, "opacity", layers.get(), {&layers, &planes_});
     return {&bounds.start, &bounds.end, &opacity, &layers, &planes_};
 }
 
-void BoundingOpacityMaps::choose_planes(double ratio) { planes_.set(layer_planes(layers.get(), ratio)); }
+void BoundingOpacityMaps::choose_planes(double ratio) {
+    planes_.set(layer_planes(layers.get(), ratio));
+}
 
-BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph, const ShadowInputs& inputs) {
+BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph,
+                                                            const ShadowInputs& inputs) {
     Texture& start = graph.texture("start", inputs.map(Format::depth32f));
     Texture& end = graph.texture("end", inputs.map(Format::depth32f));
     const Shader shader = inputs.caster_shader("bounds.frag.glsl", false);
@@ -72,9 +82,9 @@ BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph, c
     return {start, end};
 }
 
-Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
-                                         const std::string& name, int plane_count, const Reads& planes,
-                                         Defines defines) {
+Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
+                                         const Bounds& bounds, const std::string& name,
+                                         int plane_count, const Reads& planes, Defines defines) {
     const int target_count = (plane_count + planes_per_target - 1) / planes_per_target;
     Texture& map = graph.texture(name, inputs.map(Format::rgba32f, target_count));
     Reads reads = inputs.caster_reads(true, planes);
@@ -82,8 +92,10 @@ Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& 
     for (int first = 0; first < target_count; first += targets_per_pass) {
         const int count = std::min(targets_per_pass, target_count - first);
         std::vector<Target> writes;
-        for (int target = first; target < first + count; ++target) writes.emplace_back(&map, target);
-        const std::string part = first == 0 ? "" : "_" + std::to_string(first / targets_per_pass + 1);
+        for (int target = first; target < first + count; ++target)
+            writes.emplace_back(&map, target);
+        const std::string part =
+            first == 0 ? "" : "_" + std::to_string(first / targets_per_pass + 1);
         Defines all = defines;
         all.insert(all.end(), {{"PASS_opacity", "1"},
                                {"TARGETS", std::to_string(count)},
@@ -99,26 +111,30 @@ Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& 
     return map;
 }
 
-void BoundingOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds) {
+void BoundingOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs,
+                                     const Bounds& bounds) {
     const int fine_layers = fine_layer_count(inputs.map_size_px);
     fine_layers_.set(fine_layers);
     fine_planes_.set(layer_planes(fine_layers, fine_ratio));
     const int block_stride = std::max(1, inputs.map_size_px / sampled_size_px);
-    Texture& histogram = add_layers(graph, inputs, bounds, "histogram", fine_layers, {&fine_layers_, &fine_planes_},
-                                    {{"BLOCK_STRIDE", std::to_string(block_stride)}});
-    graph.add({.name = "split_search",
-               .reads = {&histogram, &layers, &search_request_},
-               .values = {&planes_},
-               .execute = [this, &histogram, fine_layers](PassContext& context) {
-                   const TextureDesc& map = histogram.desc();
-                   const std::vector<float> profiles = sample_profiles(
-                       context.read<float>(histogram), std::size_t(map.width) * map.height, fine_layers);
-                   const double ratio = find_split_ratio({fine_planes_.get(), profiles}, layers.get());
-                   context.set(planes_, layer_planes(layers.get(), ratio));
-                   char text[32];
-                   std::snprintf(text, sizeof text, "split ratio %.1f", ratio);
-                   context.note(text);
-               }});
+    Texture& histogram =
+        add_layers(graph, inputs, bounds, "histogram", fine_layers, {&fine_layers_, &fine_planes_},
+                   {{"BLOCK_STRIDE", std::to_string(block_stride)}});
+    graph.add(
+        {.name = "split_search",
+         .only_with = &inputs.translucent,
+         .reads = {&histogram, &layers, &search_request_},
+         .values = {&planes_},
+         .execute = [this, &histogram, fine_layers](PassContext& context) {
+             const TextureDesc& map = histogram.desc();
+             const std::vector<float> profiles = sample_profiles(
+                 context.read<float>(histogram), std::size_t(map.width) * map.height, fine_layers);
+             const double ratio = find_split_ratio({fine_planes_.get(), profiles}, layers.get());
+             context.set(planes_, layer_planes(layers.get(), ratio));
+             char text[32];
+             std::snprintf(text, sizeof text, "split ratio %.1f", ratio);
+             context.note(text);
+         }});
 }
 
 }  // namespace opacity::techniques

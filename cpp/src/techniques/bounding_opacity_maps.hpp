@@ -1,15 +1,18 @@
-// Bounding opacity maps (Voicu, "Real-time volumetric shadows for dynamic rendering", 2011, section 5).
+// Bounding opacity maps (Voicu, "Real-time volumetric shadows for dynamic rendering", 2011, section
+// 5).
 //
-// Idea: two depth maps bound the casters of each texel, one drawn with the depth test reversed. K planes are laid between
-// the bounds of that texel, so layers follow the shape of the casters on both sides, and each plane holds the optical depth
-// in front of it. The planes may be evenly spaced, dense near the light (logarithmic), or a mix whose ratio is found by
-// reading layers back to the CPU.
+// Idea: two depth maps bound the casters of each texel, one drawn with the depth test reversed. K
+// planes are laid between the bounds of that texel, so layers follow the shape of the casters on
+// both sides, and each plane holds the optical depth in front of it. The planes may be evenly
+// spaced, dense near the light (logarithmic), or a mix whose ratio is found by reading layers back
+// to the CPU.
 //
-// Cost: 2 depth passes and ceil(K / 32) blended passes into ceil(K / 4) RGBA32F layers; 8 + 16 ceil(K / 4) bytes a texel. The
-// search, when the casters, their opacity or the light changed: 2 more passes and one read-back. Look-up: 4 texels, 2 bounds
-// and 2 planes each, whatever K is.
+// Cost: 2 depth passes and ceil(K / 32) blended passes into ceil(K / 4) RGBA32F layers; 8 + 16
+// ceil(K / 4) bytes a texel. The search, when the casters, their opacity or the light changed: 2
+// more passes and one read-back. Look-up: 4 texels, 2 bounds and 2 planes each, whatever K is.
 //
-// Fails: two clusters far apart in one texel (most planes lie in the gap); one split curve for the whole map.
+// Fails: two clusters far apart in one texel (most planes lie in the gap); one split curve for the
+// whole map.
 #pragma once
 
 #include "opacity/technique.hpp"
@@ -21,16 +24,22 @@ class BoundingOpacityMaps : public Technique {
     BoundingOpacityMaps() : Technique{"bounding_opacity_maps"} {}
 
     std::string_view summary() const override {
-        return "Opacity layers between the first and the last caster of each texel, on a hybrid split.";
+        return "Opacity layers between the first and the last caster of each texel, on a hybrid "
+               "split.";
     }
     std::string_view paper() const override { return "Voicu 2011 (thesis)"; }
     Reads build(FrameGraph& graph, const ShadowInputs& inputs) override;
     void needs_recompute() override { search_request_.touch(); }
 
     Param<int> layers{*this, "layers", 16, {1, 64}, "Opacity layers between the two bounds."};
-    Choice split{*this, "split", {"auto", "linear", "logarithmic", "hybrid"},
+    Choice split{*this,
+                 "split",
+                 {"auto", "linear", "logarithmic", "hybrid"},
                  "How the planes are spaced: auto searches the ratio, hybrid takes split_ratio."};
-    Param<double> split_ratio{*this, "split_ratio", 0.5, {0.0, 1.0},
+    Param<double> split_ratio{*this,
+                              "split_ratio",
+                              0.5,
+                              {0.0, 1.0},
                               "Of the hybrid split: 0 is linear, 1 is logarithmic."};
 
    private:
@@ -39,8 +48,9 @@ class BoundingOpacityMaps : public Technique {
     };
     Bounds add_bounds(FrameGraph& graph, const ShadowInputs& inputs);
     // Passes that draw cumulative optical depth at the planes given into one array texture.
-    Texture& add_layers(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds, const std::string& name,
-                        int plane_count, const Reads& planes, Defines defines = {});
+    Texture& add_layers(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
+                        const std::string& name, int plane_count, const Reads& planes,
+                        Defines defines = {});
     void add_search(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds);
     void choose_planes(double ratio);
 

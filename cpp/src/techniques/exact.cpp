@@ -27,8 +27,8 @@ struct Step {
     int chunk_begin = 0;
 
     Uniforms uniforms() const {
-        return {{"u_step", int(kind)},         {"u_source", int(source)},
-                {"u_into_list", into_list},    {"u_run", run},
+        return {{"u_step", int(kind)},          {"u_source", int(source)},
+                {"u_into_list", into_list},     {"u_run", run},
                 {"u_chunk_begin", chunk_begin}, {"u_chunk_end", chunk_begin + sum_chunk}};
     }
 };
@@ -70,6 +70,7 @@ void Exact::add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists
                }});
     // Where each texel's list begins: the sum of the counts before it.
     graph.add({.name = "first",
+               .only_with = &inputs.translucent,
                .reads = {&lists.count},
                .stores = {&lists.first},
                .values = {&total_, &longest_},
@@ -83,13 +84,15 @@ void Exact::add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists
                        longest = std::max<std::int64_t>(longest, here);
                    }
                    if (total > most_fragments)
-                       throw OutOfMemoryError("exact would keep " + std::to_string(total) + " fragments; it holds " +
+                       throw OutOfMemoryError("exact would keep " + std::to_string(total) +
+                                                  " fragments; it holds " +
                                                   std::to_string(most_fragments),
                                               "lower map_size, or choose bounding_opacity_maps");
                    context.write(first, std::as_bytes(std::span{counts}));
                    context.set(total_, int(total));
                    context.set(longest_, int(longest));
-                   context.note(std::to_string(total) + " fragments, at most " + std::to_string(longest) + " a texel");
+                   context.note(std::to_string(total) + " fragments, at most " +
+                                std::to_string(longest) + " a texel");
                }});
 }
 
@@ -113,6 +116,7 @@ void Exact::add_sort(FrameGraph& graph, const ShadowInputs& inputs, const Lists&
     Texture& sum = graph.texture("sum", inputs.map(Format::r32f));
     graph.add({.name = "sort",
                .shader = {.compute = shader_path(), .defines = {{"PASS_sort", "1"}}},
+               .only_with = &inputs.translucent,
                .reads = {&lists.first, &lists.count, &lists.unsorted, &total_, &longest_},
                .stores = {&lists.list, &scratch, &sum},
                .execute = [this, lists, &scratch](PassContext& context) {
@@ -129,7 +133,8 @@ void Exact::sort(PassContext& context) const {
     for (int step = 0; step < steps; ++step) {
         const bool into_list = (steps - 1 - step) % 2 == 0;
         const Source source = step == 0 ? from_unsorted : into_list ? from_scratch : from_list;
-        dispatch_over(context, total_.get(), {.source = source, .into_list = into_list, .run = 1 << step});
+        dispatch_over(context, total_.get(),
+                      {.source = source, .into_list = into_list, .run = 1 << step});
     }
 }
 

@@ -1,11 +1,12 @@
 // Exact: what every other technique is checked against.
 //
-// Idea: every fragment of every texel is kept, sorted by depth, with the running sum of optical depth; a look-up finds the
-// last fragment in front by binary search. What is left of error is the map's resolution and the deposit, shared by all.
-// After Carpenter's A-buffer (1984) and the per-pixel lists of Yang et al. 2010, packed rather than linked.
+// Idea: every fragment of every texel is kept, sorted by depth, with the running sum of optical
+// depth; a look-up finds the last fragment in front by binary search. What is left of error is the
+// map's resolution and the deposit, shared by all. After Carpenter's A-buffer (1984) and the
+// per-pixel lists of Yang et al. 2010, packed rather than linked.
 //
-// Cost: 2 geometry passes, one read-back of the counts, and log2(longest list) compute steps; 12 bytes a texel and 16 a
-// fragment (48 while it sorts).
+// Cost: 2 geometry passes, one read-back of the counts, and log2(longest list) compute steps; 12
+// bytes a texel and 16 a fragment (48 while it sorts).
 //
 // Fails: 67 million fragments are the most that its lists hold; it is not meant to be fast.
 #pragma once

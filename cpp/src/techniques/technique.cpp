@@ -7,7 +7,8 @@
 
 namespace opacity {
 
-Shader ShadowInputs::caster_shader(const std::string& fragment, bool optical_depth, Defines defines) const {
+Shader ShadowInputs::caster_shader(const std::string& fragment, bool optical_depth,
+                                   Defines defines) const {
     if (optical_depth) defines.emplace_back("OPTICAL_DEPTH", "1");
     if (has_opaque) defines.emplace_back("READS_OPAQUE_DEPTH", "1");
     return {.vertex = "casters.vert.glsl", .fragment = fragment, .defines = std::move(defines)};

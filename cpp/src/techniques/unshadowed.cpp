@@ -2,6 +2,8 @@
 
 namespace opacity::techniques {
 
-Reads Unshadowed::build(FrameGraph&, const ShadowInputs&) { return {}; }
+Reads Unshadowed::build(FrameGraph&, const ShadowInputs&) {
+    return {};
+}
 
 }  // namespace opacity::techniques

@@ -9,7 +9,9 @@ class Unshadowed : public Technique {
    public:
     Unshadowed() : Technique{"unshadowed"} {}
 
-    std::string_view summary() const override { return "No shadows: the baseline of every timing."; }
+    std::string_view summary() const override {
+        return "No shadows: the baseline of every timing.";
+    }
     std::string_view paper() const override { return "none"; }
     Reads build(FrameGraph& graph, const ShadowInputs& inputs) override;
 };

@@ -61,6 +61,7 @@ def _opengl(context: _native.Context) -> dict[str, Any]:
         "version": context.version,
         "is_software": context.is_software,
         "search": context.search,
+        "limits": dict(context.limits()),
     }
 
 
@@ -75,5 +76,7 @@ def _print(document: dict[str, Any]) -> None:
         return
     where = "in software" if opengl["is_software"] else "on the GPU"
     print(f"opengl     {opengl['version']}\nrenderer   {opengl['renderer']} ({where})")
+    for name, limit in opengl["limits"].items():
+        print(f"at most    {limit} {name}")
     for line in opengl["search"]:
         print(f"looked at  {line}")

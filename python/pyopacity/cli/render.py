@@ -1,6 +1,7 @@
 """``pyopacity render FILE... -o out.png``"""
 
 import argparse
+import dataclasses
 import json
 import pathlib
 import time
@@ -115,10 +116,7 @@ def _record(renderer: po.Renderer, output: pathlib.Path, seconds: float) -> dict
         "seconds": seconds,
         "renderer": renderer.context.renderer,
         "is_software": renderer.context.is_software,
-        "passes": [
-            {"name": row.name, "status": row.status, "why": row.why, "ms": row.ms}
-            for row in renderer.report
-        ],
+        "passes": [dataclasses.asdict(row) for row in renderer.report],
     }
 
 

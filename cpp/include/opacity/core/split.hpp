@@ -1,5 +1,6 @@
 // The hybrid split curve of bounding opacity maps (thesis, section 5.2.3), in closed form:
-//     f(x) = (1 - r) x + r log2(1 + 255 x) / 8,   f(0) = 0, f(1) = 1, strictly increasing for every r in [0, 1].
+//     f(x) = (1 - r) x + r log2(1 + 255 x) / 8,   f(0) = 0, f(1) = 1, strictly increasing for every
+//     r in [0, 1].
 // r = 0 is the linear split, r = 1 the logarithmic one. Layer k of K ends where f(x) = k / K.
 #pragma once
 
@@ -16,18 +17,19 @@ double split_inverse(double y, double ratio);
 // The K + 1 planes of K layers, 0 first and 1 last, strictly increasing also as floats.
 std::vector<float> layer_planes(int layers, double ratio);
 
-// Optical depth of many texels, cumulative at common planes of [0, 1]: texel t has values[t * (planes - 1) + k - 1] in
-// front of planes[k].
+// Optical depth of many texels, cumulative at common planes of [0, 1]: texel t has values[t *
+// (planes - 1) + k - 1] in front of planes[k].
 struct OpticalDepthProfiles {
     std::span<const float> planes;
     std::span<const float> values;
     std::size_t texel_count() const { return values.size() / (planes.size() - 1); }
 };
 
-// How well K layers at this ratio rebuild the profiles: the RMSE of T at the middle of each fine cell against the mean of T
-// over what lies in that cell, weighted by its optical depth (receivers are where casters are). Sums in float64.
-// T at the cell's end instead of its mean would count a receiver's own optical depth as in front of it, and
-// then prefers ratios near 1 whatever the scene.
+// How well K layers at this ratio rebuild the profiles: the RMSE of T at the middle of each fine
+// cell against the mean of T over what lies in that cell, weighted by its optical depth (receivers
+// are where casters are). Sums in float64. T at the cell's end instead of its mean would count a
+// receiver's own optical depth as in front of it, and then prefers ratios near 1 whatever the
+// scene.
 double split_error(const OpticalDepthProfiles& profiles, int layers, double ratio);
 // Of the ratios 0, .1, .. 1 the one with the least split_error; the smallest of equals.
 double find_split_ratio(const OpticalDepthProfiles& profiles, int layers);

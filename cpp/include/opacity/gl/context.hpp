@@ -2,10 +2,12 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "opacity/core/log.hpp"
@@ -51,6 +53,9 @@ class Context : public std::enable_shared_from_this<Context> {
     }  // e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
     const std::string& version() const { return version_; }
     bool is_software() const;
+    // What the driver can at most do, by name: "texture size", "draw buffers", ... in its own
+    // units.
+    std::vector<std::pair<std::string, std::int64_t>> limits();
     bool adopted() const { return adopted_; }
     // Textures, buffers, programs and so on that are alive: 0 after the last owner is gone.
     int live_objects() const { return live_objects_; }

@@ -1,4 +1,5 @@
-// What the graph asks of whoever executes passes. The OpenGL one is in src/render; tests bring their own.
+// What the graph asks of whoever executes passes. The OpenGL one is in src/render; tests bring
+// their own.
 #pragma once
 
 #include <array>

@@ -1,7 +1,9 @@
-// The frame graph. Each frame declares its resources and passes anew, in order; what a name held in the frame before
-// is kept. A pass runs when its output is needed and a declared read has moved; otherwise it is cached or culled.
+// The frame graph. Each frame declares its resources and passes anew, in order; what a name held in
+// the frame before is kept. A pass runs when its output is needed and a declared read has moved;
+// otherwise it is cached or culled.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -41,6 +43,9 @@ class FrameGraph {
 
     // Runs what `goal` needs. If a pass throws, it and all after it stay to be run.
     void run(const Resource& goal);
+    // Called before each pass that runs; may throw to stop the frame, which then goes on where it
+    // was.
+    void set_interrupt_check(std::function<void()> check) { interrupt_check_ = std::move(check); }
     // Forgets every cached result.
     void invalidate() { records_.clear(); }
 
@@ -85,9 +90,11 @@ class FrameGraph {
     std::map<std::string, TextureDesc> allocated_;
     Revision shader_revision_ = 0;
     Report report_;
+    std::function<void()> interrupt_check_;
 };
 
-// What an executing pass may do; anything it did not declare is an error that names the line to add.
+// What an executing pass may do; anything it did not declare is an error that names the line to
+// add.
 class PassContext {
    public:
     PassContext(FrameGraph& graph, const Pass& pass) : graph_{graph}, pass_{pass} {}

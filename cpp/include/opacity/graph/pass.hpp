@@ -1,4 +1,5 @@
-// A pass is data: what it is called, which shader runs, what it reads and writes, and in which state.
+// A pass is data: what it is called, which shader runs, what it reads and writes, and in which
+// state.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,9 @@ class PassContext;
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-// Files under shaders/: a vertex and a fragment stage, or a compute stage alone. Every stage sees PASS_<name>, the
-// shape kind (STRANDS or MESH) when shapes are drawn, and these defines; #include "technique.glsl" means `technique`.
+// Files under shaders/: a vertex and a fragment stage, or a compute stage alone. Every stage sees
+// PASS_<name>, the shape kind (STRANDS or MESH) when shapes are drawn, and these defines; #include
+// "technique.glsl" means `technique`.
 struct Shader {
     std::string vertex = {}, fragment = {}, compute = {};
     std::string technique = {};
@@ -45,14 +47,17 @@ struct State {
 };
 
 struct Pass {
-    std::string name;                    // "opacity": shown as "bounding_opacity_maps/opacity"
-    Shader shader = {};                  // none: the pass computes on the CPU
-    DrawList* draws = nullptr;           // shapes to draw; an empty list culls the pass
-    const View* view = nullptr;          // from where it draws them
-    Reads reads = {};                    // textures, values, parameters, views, parts of shapes
-    std::vector<Target> writes = {};     // colour targets in MRT order; a depth texture anywhere
-    std::vector<Resource*> stores = {};  // images i_<name> and buffers b_<name> that the shader writes
-    std::vector<Source*> values = {};    // CPU results such as the split ratio
+    std::string name;            // "opacity": shown as "bounding_opacity_maps/opacity"
+    Shader shader = {};          // none: the pass computes on the CPU
+    DrawList* draws = nullptr;   // shapes to draw; an empty list culls the pass
+    const View* view = nullptr;  // from where it draws them
+    DrawList* only_with =
+        nullptr;       // for a pass that draws nothing: culled while this list is empty
+    Reads reads = {};  // textures, values, parameters, views, parts of shapes
+    std::vector<Target> writes = {};  // colour targets in MRT order; a depth texture anywhere
+    std::vector<Resource*> stores =
+        {};  // images i_<name> and buffers b_<name> that the shader writes
+    std::vector<Source*> values = {};  // CPU results such as the split ratio
     State state = {};
     // Default: draw the shapes. A lambda captures `this` and graph-owned resources only.
     std::function<void(PassContext&)> execute = {};

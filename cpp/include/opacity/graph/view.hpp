@@ -1,5 +1,5 @@
-// From where a pass looks: a light or a camera. The matrix is float64; it is joined with a shape's transform
-// and the origin of its points before anything becomes float32.
+// From where a pass looks: a light or a camera. The matrix is float64; it is joined with a shape's
+// transform and the origin of its points before anything becomes float32.
 #pragma once
 
 #include <string>
