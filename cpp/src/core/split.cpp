@@ -24,6 +24,33 @@ double interpolate(std::span<const double> cumulative, const Cell& cell) {
     return std::lerp(cumulative[cell.index], cumulative[cell.index + 1], cell.along);
 }
 
+// The optical depth of one fragment, as far as the profiles show it: the mean of the cells that
+// stand between two empty ones. 0 where casters fill their cells, as smoke does.
+double fragment_optical_depth(const OpticalDepthProfiles& profiles) {
+    const std::size_t fine = profiles.planes.size() - 1;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t texel = 0; texel < profiles.texel_count(); ++texel) {
+        const float* cumulative = &profiles.values[texel * fine];
+        for (std::size_t k = 2; k < fine; ++k) {
+            const bool alone = cumulative[k - 2] < cumulative[k - 1] &&
+                               cumulative[k - 1] == cumulative[k] &&
+                               (k == 2 ? 0.f : cumulative[k - 3]) == cumulative[k - 2];
+            if (!alone) continue;
+            sum += double(cumulative[k - 1]) - double(cumulative[k - 2]);
+            ++count;
+        }
+    }
+    return count ? sum / double(count) : 0.0;
+}
+
+// The mean over n equal fragments, of optical depth `cell` together, of T in front of each: 1 for
+// one fragment, (1 - exp(-cell)) / cell for very many.
+double mean_in_front(double cell, double fragment) {
+    const double n = fragment > 0.0 ? std::max(1.0, std::round(cell / fragment)) : 1e6;
+    return std::expm1(-cell) / (n * std::expm1(-cell / n));
+}
+
 }  // namespace
 
 double split_curve(double x, double ratio) {
@@ -59,6 +86,7 @@ double split_error(const OpticalDepthProfiles& profiles, int layers, double rati
         fine_in_coarse.push_back(
             cell_of(planes, 0.5 * (profiles.planes[k - 1] + profiles.planes[k])));
 
+    const double fragment = fragment_optical_depth(profiles);
     std::vector<double> exact(fine + 1), layered(planes.size());
     double squares = 0.0, weights = 0.0;
     for (std::size_t texel = 0; texel < profiles.texel_count(); ++texel) {
@@ -68,9 +96,9 @@ double split_error(const OpticalDepthProfiles& profiles, int layers, double rati
         for (std::size_t k = 1; k <= fine; ++k) {
             const double weight = exact[k] - exact[k - 1];  // receivers are where casters are
             if (!(weight > 0.0)) continue;
-            const double mean_of_cell = std::exp(-exact[k - 1]) * -std::expm1(-weight) / weight;
-            const double error =
-                std::exp(-interpolate(layered, fine_in_coarse[k - 1])) - mean_of_cell;
+            const double layered_depth = interpolate(layered, fine_in_coarse[k - 1]);
+            const double in_front = std::exp(-exact[k - 1]) * mean_in_front(weight, fragment);
+            const double error = std::exp(-layered_depth) - in_front;
             squares += weight * error * error;
             weights += weight;
         }

@@ -25,11 +25,10 @@ struct OpticalDepthProfiles {
     std::size_t texel_count() const { return values.size() / (planes.size() - 1); }
 };
 
-// How well K layers at this ratio rebuild the profiles: the RMSE of T at the middle of each fine
-// cell against the mean of T over what lies in that cell, weighted by its optical depth (receivers
-// are where casters are). Sums in float64. T at the cell's end instead of its mean would count a
-// receiver's own optical depth as in front of it, and then prefers ratios near 1 whatever the
-// scene.
+// How well K layers at this ratio rebuild the profiles for receivers that lie where casters are: the
+// RMSE of T at the middle of each fine cell, weighted by the cell's optical depth, against the mean of
+// T in front of the fragments in the cell, since none of them counts itself. Sums in float64. Against
+// T behind the cell, which counts the receiver, the measure prefers ratios near 1 whatever the scene.
 double split_error(const OpticalDepthProfiles& profiles, int layers, double ratio);
 // Of the ratios 0, .1, .. 1 the one with the least split_error; the smallest of equals.
 double find_split_ratio(const OpticalDepthProfiles& profiles, int layers);

@@ -1,0 +1,68 @@
+// A small scene, and a renderer that draws it in little time.
+#pragma once
+
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "opacity/renderer.hpp"
+#include "opacity/scene/mesh.hpp"
+#include "opacity/scene/strands.hpp"
+
+namespace small {
+
+using namespace opacity;
+
+inline std::shared_ptr<Mesh> square(double height, double half_size, float opacity, float3 color) {
+    const double s = half_size, z = height;
+    return std::make_shared<Mesh>(
+        Positions{std::vector<double>{-s, -s, z, s, -s, z, s, s, z, -s, s, z}},
+        std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, std::vector<float3>{},
+        std::vector<float>{opacity}, std::vector<float3>{color});
+}
+
+inline std::shared_ptr<opacity::Scene> scene_of(std::vector<ShapePtr> shapes, const DirectionalLight& light) {
+    auto scene = std::make_shared<Scene>();
+    for (ShapePtr& shape : shapes) scene->add(std::move(shape));
+    scene->add(std::make_shared<DirectionalLight>(light));
+    return scene;
+}
+
+// Strands and an opaque square above an opaque ground.
+inline std::shared_ptr<opacity::Scene> hairy_scene() {
+    std::vector<double> xyz;
+    std::vector<std::int64_t> offsets{0};
+    for (int strand = 0; strand < 9; ++strand) {
+        for (int i = 0; i < 4; ++i)
+            xyz.insert(xyz.end(),
+                       {0.25 * strand - 1.0, 0.3 * i - 0.5, 0.3 + 0.1 * i + 0.05 * (strand % 3)});
+        offsets.push_back(offsets.back() + 4);
+    }
+    auto hair = std::make_shared<Strands>(Positions{xyz}, offsets, std::vector<float>{0.15f});
+    return scene_of({hair, square(0.2, 0.3, 1.f, {0, 1, 0}), square(0, 1.5, 1.f, {1, 1, 1})},
+                    DirectionalLight{});
+}
+
+inline Camera above() { return Camera::look_at({0.4, -2.0, 3.0}, {0, 0, 0}); }
+
+inline void make_small(Renderer& renderer) {
+    renderer.set_size(40, 30);
+    renderer.settings().map_size.assign(std::int64_t{32});
+    renderer.settings().antialiasing.assign(std::int64_t{1});
+}
+
+inline Renderer small_renderer(const std::shared_ptr<opacity::Scene>& scene, const ContextPtr& context = {},
+                        std::shared_ptr<Technique> technique = {}) {
+    Renderer renderer{scene, above(), std::move(technique), context};
+    make_small(renderer);
+    return renderer;
+}
+
+inline bool same(const Image& a, const Image& b) {
+    return a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
+           std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) == 0;
+}
+
+inline Image expected_picture() { return small_renderer(hairy_scene()).render(); }
+
+}  // namespace small
