@@ -1,4 +1,4 @@
-// The renderer: the picture it must be, whatever context it has and whatever happened before.
+// The renderer: the picture that it must be, whatever happened before.
 #include "opacity/renderer.hpp"
 
 #include <doctest/doctest.h>
@@ -6,205 +6,21 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <numbers>
 #include <optional>
-#include <thread>
 
-#include "gl/egl.hpp"
 #include "gl_context.hpp"
-#include "opacity/scene/mesh.hpp"
-#include "opacity/scene/strands.hpp"
 #include "scratch_folder.hpp"
+#include "small_renderer.hpp"
 
 using namespace opacity;
+using namespace small;
 using doctest::Approx;
 
 namespace {
-
-using ContextPtr = std::shared_ptr<gl::Context>;
-using ScenePtr = std::shared_ptr<Scene>;
-
-// ---- scenes ----
-
-std::shared_ptr<Mesh> square(double height, double half_size, float opacity, float3 color) {
-    const double s = half_size, z = height;
-    return std::make_shared<Mesh>(
-        Positions{std::vector<double>{-s, -s, z, s, -s, z, s, s, z, -s, s, z}},
-        std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}, std::vector<float3>{},
-        std::vector<float>{opacity}, std::vector<float3>{color});
-}
-
-ScenePtr scene_of(std::vector<ShapePtr> shapes, const DirectionalLight& light) {
-    auto scene = std::make_shared<Scene>();
-    for (ShapePtr& shape : shapes) scene->add(std::move(shape));
-    scene->add(std::make_shared<DirectionalLight>(light));
-    return scene;
-}
-
-// Strands and an opaque square above an opaque ground.
-ScenePtr hairy_scene() {
-    std::vector<double> xyz;
-    std::vector<std::int64_t> offsets{0};
-    for (int strand = 0; strand < 9; ++strand) {
-        for (int i = 0; i < 4; ++i)
-            xyz.insert(xyz.end(),
-                       {0.25 * strand - 1.0, 0.3 * i - 0.5, 0.3 + 0.1 * i + 0.05 * (strand % 3)});
-        offsets.push_back(offsets.back() + 4);
-    }
-    auto hair = std::make_shared<Strands>(Positions{xyz}, offsets, std::vector<float>{0.15f});
-    return scene_of({hair, square(0.2, 0.3, 1.f, {0, 1, 0}), square(0, 1.5, 1.f, {1, 1, 1})},
-                    DirectionalLight{});
-}
-
-Camera above() { return Camera::look_at({0.4, -2.0, 3.0}, {0, 0, 0}); }
-
-void make_small(Renderer& renderer) {
-    renderer.set_size(40, 30);
-    renderer.settings().map_size.assign(std::int64_t{32});
-    renderer.settings().antialiasing.assign(std::int64_t{1});
-}
-
-Renderer small_renderer(const ScenePtr& scene, const ContextPtr& context = {},
-                        std::shared_ptr<Technique> technique = {}) {
-    Renderer renderer{scene, above(), std::move(technique), context};
-    make_small(renderer);
-    return renderer;
-}
-
-bool same(const Image& a, const Image& b) {
-    return a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
-           std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) == 0;
-}
-
-Image expected_picture() { return small_renderer(hairy_scene()).render(); }
-
-// ---- the caller's OpenGL ----
-
-constexpr GLenum scalars[] = {
-    GL_ACTIVE_TEXTURE, GL_ARRAY_BUFFER_BINDING, GL_BLEND_COLOR, GL_CLIP_DEPTH_MODE, GL_CLIP_ORIGIN,
-    GL_COLOR_CLEAR_VALUE, GL_COPY_READ_BUFFER_BINDING, GL_CULL_FACE_MODE, GL_CURRENT_PROGRAM,
-    GL_DEPTH_CLEAR_VALUE, GL_DEPTH_FUNC, GL_DEPTH_RANGE, GL_DEPTH_WRITEMASK,
-    GL_DISPATCH_INDIRECT_BUFFER_BINDING, GL_DRAW_FRAMEBUFFER_BINDING, GL_FRONT_FACE, GL_LINE_WIDTH,
-    GL_LOGIC_OP_MODE, GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SWAP_BYTES,
-    GL_PIXEL_PACK_BUFFER_BINDING, GL_PIXEL_UNPACK_BUFFER_BINDING, GL_POLYGON_MODE,
-    GL_POLYGON_OFFSET_FACTOR, GL_PRIMITIVE_RESTART_INDEX, GL_PROGRAM_PIPELINE_BINDING,
-    GL_PROVOKING_VERTEX, GL_READ_FRAMEBUFFER_BINDING, GL_RENDERBUFFER_BINDING, GL_SCISSOR_BOX,
-    GL_SHADER_STORAGE_BUFFER_BINDING, GL_STENCIL_FUNC, GL_STENCIL_REF, GL_UNIFORM_BUFFER_BINDING,
-    GL_UNPACK_SKIP_PIXELS, GL_UNPACK_ROW_LENGTH, GL_VERTEX_ARRAY_BINDING, GL_VIEWPORT};
-constexpr GLenum switches[] = {GL_CLIP_DISTANCE0, GL_COLOR_LOGIC_OP, GL_CULL_FACE, GL_DEPTH_TEST,
-                               GL_POLYGON_OFFSET_FILL, GL_PRIMITIVE_RESTART,
-                               GL_RASTERIZER_DISCARD, GL_SAMPLE_MASK, GL_STENCIL_TEST};
-constexpr GLenum indexed[] = {GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_SRC_RGB,
-                              GL_COLOR_WRITEMASK, GL_IMAGE_BINDING_ACCESS, GL_IMAGE_BINDING_FORMAT,
-                              GL_IMAGE_BINDING_LAYER, GL_IMAGE_BINDING_NAME,
-                              GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_SIZE,
-                              GL_SHADER_STORAGE_BUFFER_START};
-
-// Everything that a caller can have set and a renderer can disturb.
-std::vector<double> state_of(const GladGLContext& g) {
-    std::vector<double> state;
-    for (const GLenum name : scalars) {
-        GLdouble values[4] = {};
-        g.GetDoublev(name, values);
-        state.insert(state.end(), values, values + 4);
-    }
-    for (const GLenum name : switches) state.push_back(g.IsEnabled(name));
-    for (GLuint i = 0; i < 8; ++i) {
-        for (const GLenum name : indexed) {
-            GLint64 values[4] = {};
-            g.GetInteger64i_v(name, i, values);
-            state.insert(state.end(), values, values + 4);
-        }
-        state.push_back(g.IsEnabledi(GL_BLEND, i));
-    }
-    const GLint active = get(g, GL_ACTIVE_TEXTURE);
-    for (GLuint unit = 0; unit < 16; ++unit) {
-        g.ActiveTexture(GL_TEXTURE0 + unit);
-        for (const GLenum name :
-             {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_SAMPLER_BINDING})
-            state.push_back(get(g, name));
-    }
-    g.ActiveTexture(GLenum(active));
-    return state;
-}
-
-// State in which nothing would be drawn, or something else, if any of it stayed.
-struct HostileApplication {
-    explicit HostileApplication(const ContextPtr& context)
-        : texture{context, GL_TEXTURE_2D, GL_R32F, 4, 4},
-          buffer{context, 4096},
-          sampler{context},
-          vertex_array{context},
-          framebuffer{context} {
-        bind(context->gl());
-        for (const GLenum name : switches) context->gl().Enable(name);
-        forbid_drawing(context->gl());
-    }
-    void bind(const GladGLContext& g) const {
-        g.SamplerParameteri(sampler.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        g.SamplerParameteri(sampler.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        for (GLuint i = 0; i < 8; ++i) {
-            g.BindTextureUnit(i, texture.name());
-            g.BindSampler(i, sampler.name());
-            g.BindBufferRange(GL_SHADER_STORAGE_BUFFER, i, buffer.name(), 256 * (i + 1), 256);
-            g.BindImageTexture(i, texture.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32F);
-        }
-        g.ActiveTexture(GL_TEXTURE5);
-        for (const GLenum target : {GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER, GL_ARRAY_BUFFER,
-                                    GL_DISPATCH_INDIRECT_BUFFER})
-            g.BindBuffer(target, buffer.name());
-        g.BindVertexArray(vertex_array.name());
-        g.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
-        for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_UNPACK_ROW_LENGTH}) g.PixelStorei(name, 3);
-        for (const GLenum name : {GL_PACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS}) g.PixelStorei(name, 2);
-        g.PixelStorei(GL_PACK_SWAP_BYTES, GL_TRUE);
-        g.PixelStorei(GL_PACK_ALIGNMENT, 8);
-    }
-    static void forbid_drawing(const GladGLContext& g) {
-        for (GLuint i = 0; i < 8; ++i) {
-            g.Enablei(GL_BLEND, i);
-            g.BlendFunci(i, GL_ZERO, GL_SRC_ALPHA);
-            g.BlendEquationi(i, GL_MIN);
-            g.ColorMaski(i, GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
-        }
-        g.SampleMaski(0, 0);
-        g.StencilFunc(GL_NEVER, 1, 255);
-        g.LogicOp(GL_INVERT);
-        g.DepthFunc(GL_NEVER);
-        g.DepthMask(GL_FALSE);
-        g.DepthRange(0.75, 0.25);
-        g.PolygonMode(GL_FRONT_AND_BACK, GL_POINT);
-        g.PolygonOffset(1000.f, 1000.f);
-        g.CullFace(GL_FRONT_AND_BACK);
-        g.PrimitiveRestartIndex(2);
-        g.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
-        g.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-        g.Viewport(1, 2, 3, 4);
-        g.Scissor(5, 6, 1, 1);
-        g.Enable(GL_SCISSOR_TEST);
-        g.ClearColor(1.f, 0.f, 1.f, 1.f);
-    }
-
-    gl::Texture texture;
-    gl::Buffer buffer;
-    gl::Sampler sampler;
-    gl::VertexArray vertex_array;
-    gl::Framebuffer framebuffer;
-};
-
-// The objects that OpenGL itself knows of.
-int objects_in(const GladGLContext& g) {
-    int count = 0;
-    for (GLuint name = 1; name < 5000; ++name)
-        count += g.IsTexture(name) + g.IsBuffer(name) + g.IsProgram(name) + g.IsShader(name) +
-                 g.IsFramebuffer(name) + g.IsVertexArray(name) + g.IsSampler(name);
-    return count;
-}
 
 // ---- techniques that declare too little ----
 
@@ -246,3 +62,250 @@ class Careless : public Technique {
         return {&opacity};
     }
 };
+
+// ---- shaders on disk ----
+
+// The shaders of a folder of their own, for renderers made while it lives.
+class ShaderFolder {
+   public:
+    ShaderFolder() {
+        if (const char* before = std::getenv("OPACITY_SHADER_DIR")) before_ = before;
+        std::filesystem::copy(OPACITY_SOURCE_DIR "/cpp/shaders", folder_.path(),
+                              std::filesystem::copy_options::recursive);
+        setenv("OPACITY_SHADER_DIR", folder_.path().c_str(), 1);
+    }
+    ~ShaderFolder() {
+        before_ ? setenv("OPACITY_SHADER_DIR", before_->c_str(), 1)
+                : unsetenv("OPACITY_SHADER_DIR");
+    }
+    std::string text(const std::string& file) const {
+        std::ifstream stream{folder_.file(file), std::ios::binary};
+        return {std::istreambuf_iterator<char>{stream}, {}};
+    }
+    void write(const std::string& file, const std::string& text) const {
+        folder_.write(file, text);
+    }
+    // Puts `after` where `before` stood, once; returns the line on which that is.
+    int replace(const std::string& file, const std::string& before,
+                const std::string& after) const {
+        std::string changed = text(file);
+        const std::size_t place = changed.find(before);
+        REQUIRE(place != std::string::npos);
+        const auto at = changed.begin() + std::ptrdiff_t(place);
+        const auto line = 1 + std::count(changed.begin(), at, '\n');
+        write(file, changed.replace(place, before.size(), after));
+        return int(line);
+    }
+
+   private:
+    ScratchFolder folder_;
+    std::optional<std::string> before_;
+};
+
+const PassReport& row_of(const Renderer& renderer, const std::string& name) {
+    for (const PassReport& row : renderer.report())
+        if (row.name == name) return row;
+    FAIL("no pass ", name);
+    throw name;
+}
+
+// ---- pictures in closed form ----
+
+double dot(const double3& a, const double3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+double3 cross(const double3& a, const double3& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double3 sum(const double3& a, const double3& b, double factor = 1.0) {
+    return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+double3 unit(const double3& v) {
+    return sum({}, v, 1.0 / std::sqrt(dot(v, v)));
+}
+
+// Where the line of sight through the middle of a pixel meets the plane z = 0.
+double3 seen_on_ground(const Camera& camera, const Image& image, int x, int y) {
+    const double3 ahead = unit(sum(camera.target(), camera.eye(), -1.0));
+    const double3 right = unit(cross(ahead, camera.up())), up = cross(right, ahead);
+    const double tangent = std::tan(camera.fov_deg() * std::numbers::pi / 360.0);
+    const double across = (2.0 * (x + 0.5) / image.width - 1.0) * image.width / image.height;
+    const double upward = 1.0 - 2.0 * (y + 0.5) / image.height;
+    const double3 sight = sum(sum(ahead, right, tangent * across), up, tangent * upward);
+    return sum(camera.eye(), sight, -camera.eye()[2] / sight[2]);
+}
+
+// Blinn 1977 on a surface whose normal is z: ambient, diffuse and the highlight, in the
+// renderer's own default amounts.
+double shaded(double color, double light, const double3& travel, const double3& to_eye, double t) {
+    const double3 to_light = sum({}, unit(travel), -1.0);
+    const double facing = std::max(0.0, to_light[2]);
+    const double highlight = std::pow(std::max(0.0, unit(sum(to_light, to_eye))[2]), 40.0);
+    return 0.12 * color + t * light * (color * facing + (facing > 0.0 ? 0.25 * highlight : 0.0));
+}
+
+}  // namespace
+
+TEST_CASE("a read that the look-up uses and the technique does not return is named") {
+    if (!context_or_skip()) return;
+    const Image expected = small_renderer(hairy_scene()).render();
+    const std::pair<const char*, const char*> inputs[] = {{"planes", "u_planes"},
+                                                          {"layers", "u_layers"},
+                                                          {"start", "t_start"},
+                                                          {"end", "t_end"},
+                                                          {"opacity", "t_opacity"}};
+    Renderer renderer = small_renderer(hairy_scene());
+    for (const auto& [forgotten, input] : inputs) {
+        renderer.set_technique(std::make_shared<Forgetful>(forgotten));
+        const std::string message = message_of<ShaderError>([&] { renderer.render(); });
+        CHECK(contains(message, input));
+        CHECK(contains(message, "\"lighting\""));
+        CHECK(contains(message, ".reads"));
+        for (const auto& [other, unnamed] : inputs)
+            if (std::string{unnamed} != input) CHECK_FALSE(contains(message, unnamed));
+        renderer.set_technique(make_technique("bounding_opacity_maps"));
+        CHECK(same(renderer.render(), expected));
+    }
+}
+
+TEST_CASE("a pass that declares less than its shader uses is an error before it draws") {
+    if (!context_or_skip()) return;
+    Renderer renderer = small_renderer(hairy_scene(), {}, std::make_shared<Careless>());
+    for (int frame = 0; frame < 2; ++frame) {  // the second is not taken for cached
+        const std::string message = message_of<ShaderError>([&] { renderer.render(); });
+        CHECK(contains(message, "\"bounding_opacity_maps/deposit\""));
+        for (const char* input : {"b_opacity", "u_opacity_stride", "t_start", "t_end",
+                                  "t_opaque_depth", "u_layers", "u_planes"})
+            CHECK(contains(message, input));
+    }
+    renderer.set_technique(make_technique("bounding_opacity_maps"));
+    CHECK(same(renderer.render(), small_renderer(hairy_scene()).render()));
+}
+
+TEST_CASE("a shader edited on disk is drawn with at the next frame") {
+    if (!context_or_skip()) return;
+    const Image embedded = small_renderer(hairy_scene()).render();
+    const ShaderFolder shaders;
+    Renderer renderer = small_renderer(hairy_scene());
+    CHECK(same(renderer.render(), embedded));
+    renderer.render();
+    CHECK(row_of(renderer, "lighting").status == PassReport::Status::cached);
+
+    const std::string original = shaders.text("lighting.frag.glsl");
+    shaders.replace("lighting.frag.glsl", "vec4(color, 1.0)", "vec4(0.5 * color, 1.0)");
+    const Image halved = renderer.render();
+    CHECK(row_of(renderer, "lighting").status == PassReport::Status::ran);
+    CHECK(contains(row_of(renderer, "lighting").why, "shaders"));
+    for (std::size_t i = 0; i < halved.rgba.size(); ++i)
+        CHECK(halved.rgba[i] == (i % 4 == 3 ? 1.f : 0.5f) * embedded.rgba[i]);
+    CHECK_FALSE(same(halved, embedded));
+    renderer.render();
+    CHECK(row_of(renderer, "lighting").status == PassReport::Status::cached);
+
+    shaders.write("lighting.frag.glsl", original);
+    CHECK(same(renderer.render(), embedded));
+}
+
+TEST_CASE("a shader broken on disk is an error with its place, until it is repaired") {
+    if (!context_or_skip()) return;
+    const ShaderFolder shaders;
+    Renderer renderer = small_renderer(hairy_scene());
+    const Image first = renderer.render();
+    const std::pair<const char*, const char*> places[] = {
+        {"lighting.frag.glsl", "vec3 to_eye"},
+        {"lib/shading.glsl", "float facing"},
+        {"techniques/bounding_opacity_maps.glsl", "int layer = layer_of(x)"}};
+    for (const auto& [file, text] : places) {
+        const std::string original = shaders.text(file);
+        const int line = shaders.replace(file, text, std::string{"no_glsl "} + text);
+        const std::string place = std::string{file} + ":" + std::to_string(line);
+        for (int frame = 0; frame < 2; ++frame) {
+            const std::string message = message_of<ShaderError>([&] { renderer.render(); });
+            CHECK_MESSAGE(contains(message, place), message);
+        }
+        shaders.write(file, original);
+        CHECK(same(renderer.render(), first));
+    }
+}
+
+TEST_CASE("a square has the colour of Blinn's formula in every pixel, and no shadow on itself") {
+    if (!context_or_skip()) return;
+    const double3 travels[] = {{0, 0, -1}, {0.5, 0.3, -0.8}, {1, -1, -0.4}, {0.2, 0, 1}};
+    for (const double3& travel : travels)
+        for (const std::string& technique : technique_names()) {
+            const DirectionalLight light{travel, {1.f, 0.5f, 0.25f}, 2.f};
+            Renderer renderer =
+                small_renderer(scene_of({square(0, 0.7, 1.f, {1.f, 0.6f, 0.3f})}, light), {},
+                               make_technique(technique));
+            const Image image = renderer.render();
+            double worst = 0.0;
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x) {
+                    const double3 p = seen_on_ground(above(), image, x, y);
+                    const double from_edge = 0.7 - std::max(std::abs(p[0]), std::abs(p[1]));
+                    if (std::abs(from_edge) < 1e-3) continue;
+                    const double3 to_eye = unit(sum(above().eye(), p, -1.0));
+                    const double color[] = {1.0, 0.6, 0.3}, lamp[] = {2.0, 1.0, 0.5};
+                    for (int c = 0; c < 3; ++c) {
+                        const double value =
+                            from_edge < 0.0 ? 0.0 : shaded(color[c], lamp[c], travel, to_eye, 1.0);
+                        worst = std::max(worst, std::abs(image.pixel(x, y)[c] - value));
+                    }
+                    worst = std::max(worst, std::abs(image.pixel(x, y)[3] - (from_edge > 0.0)));
+                }
+            CAPTURE(technique);
+            CHECK(worst < 1e-4);
+        }
+}
+
+TEST_CASE("a white square that faces light and camera is 1.37 at its centre; T dims it") {
+    if (!context_or_skip()) return;
+    const Camera camera = Camera::look_at({0, 0, 2}, {0, 0, 0}, {0, 1, 0});
+    const auto value_under = [&](float opacity, const std::string& technique) {
+        // The sheet lies behind the camera, so that only the light sees it.
+        Renderer renderer{scene_of({square(0, 1, 1.f, {1, 1, 1}), square(3, 2, opacity, {1, 1, 1})},
+                                   DirectionalLight{{0, 0, -1}}),
+                          camera, make_technique(technique)};
+        make_small(renderer);
+        renderer.set_size(11, 9);
+        const Image image = renderer.render();
+        return double(image.pixel(5, 4)[0]);
+    };
+    for (const std::string& technique : technique_names()) {
+        CAPTURE(technique);
+        const bool shadows = technique != "unshadowed";
+        for (const float opacity : {0.f, 0.4f, 0.9f, 1.f})
+            CHECK(value_under(opacity, technique) ==
+                  Approx(0.12 + (shadows ? 1.0 - opacity : 1.0) * 1.25).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("pictures are premultiplied: an edge is the mean of square and background") {
+    if (!context_or_skip()) return;
+    const auto picture = [](const float4& background) {
+        Renderer renderer = small_renderer(
+            scene_of({square(0, 0.7, 1.f, {1.f, 0.5f, 0.f})}, DirectionalLight{{0, 0, -1}}));
+        renderer.settings().antialiasing.assign(std::int64_t{4});
+        renderer.settings().specular.assign(0.0);  // one colour all over
+        renderer.set_background(background);
+        return renderer.render();
+    };
+    const Image transparent = picture({1.f, 1.f, 1.f, 0.f}), tinted = picture({0.f, 1.f, 2.f, .5f});
+    const double square[] = {1.12, 0.56, 0.0, 1.0}, behind[] = {0.0, 0.5, 1.0, 0.5};
+    int edges = 0, outside = 0;
+    for (int y = 0; y < transparent.height; ++y)
+        for (int x = 0; x < transparent.width; ++x) {
+            const float* pixel = transparent.pixel(x, y);
+            const double covered = pixel[3], sixteenths = 16.0 * covered;
+            CHECK(sixteenths == std::round(sixteenths));
+            edges += covered > 0.0 && covered < 1.0;
+            outside += covered == 0.0;
+            for (int c = 0; c < 4; ++c) {
+                CHECK(pixel[c] == Approx(covered * square[c]).epsilon(1e-5));
+                CHECK(tinted.pixel(x, y)[c] ==
+                      Approx(covered * square[c] + (1.0 - covered) * behind[c]).epsilon(1e-5));
+            }
+        }
+    CHECK(edges > 20);
+    CHECK(outside > 100);
+}

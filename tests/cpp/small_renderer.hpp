@@ -21,7 +21,8 @@ inline std::shared_ptr<Mesh> square(double height, double half_size, float opaci
         std::vector<float>{opacity}, std::vector<float3>{color});
 }
 
-inline std::shared_ptr<opacity::Scene> scene_of(std::vector<ShapePtr> shapes, const DirectionalLight& light) {
+inline std::shared_ptr<Scene> scene_of(std::vector<ShapePtr> shapes,
+                                       const DirectionalLight& light) {
     auto scene = std::make_shared<Scene>();
     for (ShapePtr& shape : shapes) scene->add(std::move(shape));
     scene->add(std::make_shared<DirectionalLight>(light));
@@ -29,7 +30,7 @@ inline std::shared_ptr<opacity::Scene> scene_of(std::vector<ShapePtr> shapes, co
 }
 
 // Strands and an opaque square above an opaque ground.
-inline std::shared_ptr<opacity::Scene> hairy_scene() {
+inline std::shared_ptr<Scene> hairy_scene() {
     std::vector<double> xyz;
     std::vector<std::int64_t> offsets{0};
     for (int strand = 0; strand < 9; ++strand) {
@@ -43,7 +44,9 @@ inline std::shared_ptr<opacity::Scene> hairy_scene() {
                     DirectionalLight{});
 }
 
-inline Camera above() { return Camera::look_at({0.4, -2.0, 3.0}, {0, 0, 0}); }
+inline Camera above() {
+    return Camera::look_at({0.4, -2.0, 3.0}, {0, 0, 0});
+}
 
 inline void make_small(Renderer& renderer) {
     renderer.set_size(40, 30);
@@ -51,9 +54,10 @@ inline void make_small(Renderer& renderer) {
     renderer.settings().antialiasing.assign(std::int64_t{1});
 }
 
-inline Renderer small_renderer(const std::shared_ptr<opacity::Scene>& scene, const ContextPtr& context = {},
-                        std::shared_ptr<Technique> technique = {}) {
-    Renderer renderer{scene, above(), std::move(technique), context};
+inline Renderer small_renderer(const std::shared_ptr<Scene>& scene,
+                               std::shared_ptr<gl::Context> context = {},
+                               std::shared_ptr<Technique> technique = {}) {
+    Renderer renderer{scene, above(), std::move(technique), std::move(context)};
     make_small(renderer);
     return renderer;
 }
@@ -62,7 +66,5 @@ inline bool same(const Image& a, const Image& b) {
     return a.width == b.width && a.height == b.height && a.rgba.size() == b.rgba.size() &&
            std::memcmp(a.rgba.data(), b.rgba.data(), a.rgba.size() * sizeof(float)) == 0;
 }
-
-inline Image expected_picture() { return small_renderer(hairy_scene()).render(); }
 
 }  // namespace small
