@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <thread>
 
 #include "gl/buffer.hpp"
@@ -174,12 +175,17 @@ struct HostileApplication {
     gl::Framebuffer framebuffer;
 };
 
-// The objects that OpenGL itself knows of.
+// The objects that OpenGL itself knows of. A program that was deleted while it was current goes
+// when the driver puts another in its place.
 int objects_in(const GladGLContext& g) {
     int count = 0;
-    for (GLuint name = 1; name < 5000; ++name)
-        count += g.IsTexture(name) + g.IsBuffer(name) + g.IsProgram(name) + g.IsShader(name) +
-                 g.IsFramebuffer(name) + g.IsVertexArray(name) + g.IsSampler(name);
+    for (GLuint name = 1; name < 5000; ++name) {
+        count += g.IsTexture(name) + g.IsBuffer(name) + g.IsFramebuffer(name) +
+                 g.IsVertexArray(name) + g.IsSampler(name) + g.IsShader(name);
+        GLint deleted = GL_TRUE;
+        if (g.IsProgram(name)) g.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
+        count += deleted == GL_FALSE;
+    }
     return count;
 }
 

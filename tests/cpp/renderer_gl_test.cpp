@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -251,7 +251,8 @@ TEST_CASE("a square has the colour of Blinn's formula in every pixel, and no sha
                             from_edge < 0.0 ? 0.0 : shaded(color[c], lamp[c], travel, to_eye, 1.0);
                         worst = std::max(worst, std::abs(image.pixel(x, y)[c] - value));
                     }
-                    worst = std::max(worst, std::abs(image.pixel(x, y)[3] - (from_edge > 0.0)));
+                    worst =
+                        std::max(worst, std::abs(image.pixel(x, y)[3] - double(from_edge > 0.0)));
                 }
             CAPTURE(technique);
             CHECK(worst < 1e-4);

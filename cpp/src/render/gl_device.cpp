@@ -183,8 +183,7 @@ void GlDevice::draw(const Pass& pass) {
 void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape) {
     const GpuShape& gpu = shapes_.upload(shape);
     const bool is_strands = gpu.segments.buffer.has_value();
-    const int vertices = is_strands ? 6 * gpu.segment_count : gpu.index_count;
-    if (vertices == 0) return;
+    if (gpu.index_count == 0) return;
     gl::Program& shader = program(pass, is_strands ? "STRANDS" : "MESH");
     ProgramFeeder feeder{*this, shader};
     feed_shape(feeder, pass, gpu);
@@ -194,12 +193,8 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape) {
     feeder.require_complete(pass);
 
     gl().UseProgram(shader.name());
-    if (is_strands) {
-        gl().DrawArrays(GL_TRIANGLES, 0, vertices);
-    } else {
-        gl().VertexArrayElementBuffer(vertex_array_.name(), gpu.triangles.buffer->name());
-        gl().DrawElements(GL_TRIANGLES, vertices, GL_UNSIGNED_INT, nullptr);
-    }
+    gl().VertexArrayElementBuffer(vertex_array_.name(), gpu.triangles.buffer->name());
+    gl().DrawElements(GL_TRIANGLES, gpu.index_count, GL_UNSIGNED_INT, nullptr);
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {

@@ -22,6 +22,16 @@ void refresh(GpuPart& part, Revision revision, Make make) {
     part.revision = revision;
 }
 
+// Two triangles a segment, over its four corners (lib/segment.glsl).
+std::vector<std::uint32_t> ribbon_triangles(std::size_t segment_count) {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(6 * segment_count);
+    for (std::uint32_t corner = 0; corner < 4 * segment_count; corner += 4)
+        indices.insert(indices.end(),
+                       {corner, corner + 1, corner + 2, corner, corner + 2, corner + 3});
+    return indices;
+}
+
 // std430 would pad a vec3 anyway.
 std::vector<float> padded(const std::vector<float3>& vectors) {
     std::vector<float> result;
@@ -58,14 +68,15 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
             gpu.segment_count = int(strands->segments().size());
             return make_buffer(context_, strands->segments());
         });
-    if (mesh) {
-        refresh(gpu.triangles, now.geometry, [&] {
-            gpu.index_count = int(mesh->triangles().size());
-            return make_buffer(context_, mesh->triangles());
-        });
+    if (mesh)
         refresh(gpu.normals, now.geometry,
                 [&] { return make_buffer(context_, padded(mesh->normals())); });
-    }
+    refresh(gpu.triangles, now.geometry, [&] {
+        const std::vector<std::uint32_t> indices =
+            mesh ? mesh->triangles() : ribbon_triangles(strands->segments().size());
+        gpu.index_count = int(indices.size());
+        return make_buffer(context_, indices);
+    });
     refresh(gpu.opacity, now.opacity, [&] {
         gpu.opacity_stride = shape.opacity().size() > 1 ? 1 : 0;
         return make_buffer(context_, shape.opacity());
