@@ -30,7 +30,7 @@ def test_what_is_up_in_the_world_is_up_in_the_picture(
     sheet: Callable[..., po.Mesh], small: dict[str, Any]
 ) -> None:
     scene = po.Scene(sheet(half_size=0.5, height=1.0))
-    camera = po.Camera.look_at(eye=(0, -6, 0.5), target=(0, 0, 0), fov_deg=50)
+    camera = po.Camera.look_at(eye=(0, -6, -1.5), target=(0, 0, 0), fov_deg=50)
     with po.Renderer(scene, camera, **small) as renderer:
         alpha = renderer.render()[..., 3]
     assert alpha[:16].sum() > 0.0 and alpha[16:].sum() == 0.0
