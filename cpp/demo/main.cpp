@@ -1,5 +1,9 @@
 // opacity_demo: the same picture from C++ as `pyopacity render` makes, in a window or without one.
 #include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string>
 
 #include "options.hpp"
 #include "viewer.hpp"
@@ -30,9 +34,12 @@ int run(int count, char** arguments) {
     return success;
 }
 
+// An error that lists what was tried has a line for each: here all of it is one.
 int fail(const Error& error, int code) {
-    std::fprintf(stderr, "opacity_demo: %s; fix: %s\n", error.problem().c_str(),
-                 error.fix().c_str());
+    std::istringstream words{error.problem() + "; fix: " + error.fix()};
+    std::string line = "opacity_demo:";
+    for (std::string word; words >> word;) line += " " + word;
+    std::fprintf(stderr, "%s\n", line.c_str());
     return code;
 }
 
@@ -47,5 +54,11 @@ int main(int count, char** arguments) {
         return fail(error, no_context);
     } catch (const Error& error) {
         return fail(error, bad_input);
+    } catch (const std::bad_alloc&) {
+        return fail(OutOfMemoryError("no memory is left", "use a smaller scene, map or picture"),
+                    no_memory);
+    } catch (const std::exception& error) {
+        return fail(Error(error.what(), "look at the files, their permissions and their disk"),
+                    bad_input);
     }
 }

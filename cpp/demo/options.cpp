@@ -1,8 +1,10 @@
 #include "options.hpp"
 
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
-#include <cstring>
+#include <string_view>
+#include <system_error>
 
 #include "opacity/core/error.hpp"
 
@@ -27,16 +29,18 @@ R prints what each pass did, S saves a picture, Escape leaves.
 
 namespace {
 
+// Nothing unless all of the text is one number of this kind.
+template <class Number>
+std::optional<Number> number_of(const std::string& text) {
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc{} && rest == end ? std::optional{number} : std::nullopt;
+}
+
 ParamValue value_of(const std::string& text) {
-    const char *begin = text.data(), *end = begin + text.size();
-    std::int64_t integer = 0;
-    if (const auto [rest, error] = std::from_chars(begin, end, integer);
-        error == std::errc{} && rest == end)
-        return integer;
-    double number = 0.0;
-    if (const auto [rest, error] = std::from_chars(begin, end, number);
-        error == std::errc{} && rest == end)
-        return number;
+    if (const auto integer = number_of<std::int64_t>(text)) return *integer;
+    if (const auto number = number_of<double>(text)) return *number;
     if (text == "true" || text == "false") return text == "true";
     return text;
 }
@@ -59,40 +63,64 @@ double3 direction_of(const std::string& text) {
     return v;
 }
 
+bool is_y(const std::string& text) {
+    if (text != "y" && text != "z")
+        throw ParameterError("--up " + text + " is neither y nor z",
+                             "write --up y, or leave it out");
+    return text == "y";
+}
+
+int frames_of(const std::string& text) {
+    constexpr int most = 1'000'000'000;
+    const int frames = number_of<int>(text).value_or(0);
+    if (frames < 1 || frames > most)
+        throw ParameterError("--frames " + text + " is not in 1.." + std::to_string(most),
+                             "write how many frames to draw, or leave it out to draw on");
+    return frames;
+}
+
+struct Option {
+    std::string_view name, short_name;
+    bool takes_value;
+    void (*apply)(Options& options, const std::string& name, const std::string& value);
+};
+
+using Text = const std::string&;
+constexpr Option table[] = {
+    {"--help", "-h", false, [](Options& o, Text, Text) { o.help = true; }},
+    {"--headless", "", false, [](Options& o, Text, Text) { o.headless = true; }},
+    {"--output", "-o", true, [](Options& o, Text, Text value) { o.output = value; }},
+    {"--technique", "", true, [](Options& o, Text, Text value) { o.technique = value; }},
+    {"--param", "", true,
+     [](Options& o, Text name, Text value) { o.params.push_back(assignment(name, value)); }},
+    {"--set", "", true,
+     [](Options& o, Text name, Text value) { o.settings.push_back(assignment(name, value)); }},
+    {"--light", "", true, [](Options& o, Text, Text value) { o.light = direction_of(value); }},
+    {"--up", "", true, [](Options& o, Text, Text value) { o.y_up = is_y(value); }},
+    {"--frames", "", true, [](Options& o, Text, Text value) { o.frames = frames_of(value); }},
+};
+
+const Option& option_of(const std::string& name) {
+    for (const Option& option : table)
+        if (name == option.name || name == option.short_name) return option;
+    throw ParameterError("there is no option " + name, "opacity_demo --help lists them");
+}
+
 }  // namespace
 
 Options parse(int count, const char* const* arguments) {
     Options options;
     for (int i = 1; i < count; ++i) {
-        const std::string option = arguments[i];
-        const auto next = [&]() -> std::string {
-            if (i + 1 >= count)
-                throw ParameterError(option + " needs a value",
-                                     "opacity_demo --help lists the options");
-            return arguments[++i];
-        };
-        if (option == "--help" || option == "-h")
-            options.help = true;
-        else if (option == "--headless")
-            options.headless = true;
-        else if (option == "-o" || option == "--output")
-            options.output = next();
-        else if (option == "--technique")
-            options.technique = next();
-        else if (option == "--param")
-            options.params.push_back(assignment(option, next()));
-        else if (option == "--set")
-            options.settings.push_back(assignment(option, next()));
-        else if (option == "--light")
-            options.light = direction_of(next());
-        else if (option == "--up")
-            options.y_up = next() == "y";
-        else if (option == "--frames")
-            options.frames = std::atoi(next().c_str());
-        else if (option.starts_with("-"))
-            throw ParameterError("there is no option " + option, "opacity_demo --help lists them");
-        else
-            options.files.push_back(option);
+        const std::string argument = arguments[i];
+        if (!argument.starts_with("-")) {
+            options.files.push_back(argument);
+            continue;
+        }
+        const Option& option = option_of(argument);
+        if (option.takes_value && ++i >= count)
+            throw ParameterError(argument + " needs a value",
+                                 "opacity_demo --help lists the options");
+        option.apply(options, argument, option.takes_value ? arguments[i] : "");
     }
     if (options.files.empty()) options.files = {"demo:hair"};
     if (options.headless && options.output.empty() && !options.help)

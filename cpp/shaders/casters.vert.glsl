@@ -4,6 +4,9 @@
 
 uniform mat4 u_light_from_local;
 
+// Passes that draw the same casters must agree on every bit of depth and coverage, on drivers that fuse a * b + c too.
+invariant gl_Position;
+
 vec4 clip_from_texels(vec2 p) { return vec4(2.0 * p / float(u_light_map_size_px) - 1.0, 0.0, 1.0); }
 
 #ifdef OPTICAL_DEPTH
@@ -16,8 +19,8 @@ uniform int u_opacity_stride;  // 0: one opacity for all
 
 uniform float u_width_scale;  // shape's units to world units
 
-flat out vec3 v_root, v_tip;      // light space
-flat out vec2 v_width_texels;     // at both ends
+precise flat out vec3 v_root, v_tip;   // light space
+precise flat out vec2 v_width_texels;  // at both ends
 #ifdef OPTICAL_DEPTH
 flat out vec2 v_opacity;
 #endif
@@ -53,7 +56,7 @@ void main() {
 #ifdef MESH
 layout(std430) readonly buffer b_points { vec4 points[]; };
 
-out float v_depth;
+precise out float v_depth;
 #ifdef OPTICAL_DEPTH
 out float v_opacity;
 #endif

@@ -17,7 +17,10 @@ vec3 color_of(int vertex) {
 vec3 view_position(vec3 p_local) { return (u_camera_from_local * vec4(p_local, 1.0)).xyz; }
 
 // 0 for a vector without direction, so that a segment of no length harms nothing.
-vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }
+vec3 unit(vec3 v) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));  // its square may be below the smallest float
+    return largest > 0.0 ? normalize(v / largest) : vec3(0.0);
+}
 
 #ifdef STRANDS
 #include "lib/segment.glsl"

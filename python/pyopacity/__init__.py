@@ -12,6 +12,8 @@
 Importing needs no OpenGL; only a :class:`Renderer` does.
 """
 
+import logging
+
 from pyopacity import _native
 from pyopacity.bounds import Bounds
 from pyopacity.camera import Camera
@@ -36,6 +38,9 @@ from pyopacity.shapes import Mesh, Shape, Strands
 from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
 
 __version__ = _native.version()
+
+# A library says nothing on its own: without this, Python prints warnings that nobody listens to.
+logging.getLogger("pyopacity").addHandler(logging.NullHandler())
 
 __all__ = [
     "Bounds",

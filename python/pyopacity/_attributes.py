@@ -1,5 +1,7 @@
 """Attributes that cannot be misspelt, and attributes that the engine's registry defines."""
 
+import functools
+import inspect
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -16,12 +18,40 @@ def _unknown(owner: object, name: str) -> UnknownNameError:
     )
 
 
+@functools.cache
+def _keywords(cls: type) -> list[str] | None:
+    """The keywords that a constructor takes; None where it takes any and checks them itself."""
+    parameters = inspect.signature(cls).parameters.values()
+    if any(p.kind is p.VAR_KEYWORD for p in parameters):
+        return None
+    return [p.name for p in parameters if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY)]
+
+
+def _check_keywords(cls: type, given: Iterable[str]) -> None:
+    known = _keywords(cls)
+    unknown = [name for name in given if known is not None and name not in known]
+    if not unknown:
+        return
+    fix = "it takes no keywords: pass its arguments by position"
+    if known:
+        nearest = _native.nearest_name(unknown[0], known)
+        fix = f'did you mean "{nearest}"? It takes {", ".join(known)}'
+    raise UnknownNameError(f'{cls.__name__} takes no "{unknown[0]}"', fix)
+
+
 class Guarded:
-    """An object without attributes of the caller's making: ``shape.poitns = ...`` is an error."""
+    """An object without attributes of the caller's making: ``shape.poitns = ...`` is an error.
+
+    So is ``Strands(..., widht=.3)``. Too many or too few arguments are Python's TypeError.
+    """
 
     __slots__ = ("__weakref__",)
 
     if not TYPE_CHECKING:  # a type checker shall find the misspelt name by itself
+        # Not in a metaclass or around __init__: there, inspect would no longer see the signatures.
+        def __new__(cls, *_arguments: object, **keywords: object) -> Any:
+            _check_keywords(cls, keywords)
+            return super().__new__(cls)
 
         def __getattr__(self, name: str) -> Any:
             raise _unknown(self, name)

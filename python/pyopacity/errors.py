@@ -28,7 +28,7 @@ class ParameterError(Error, ValueError):
 
 
 class UnknownNameError(ParameterError, AttributeError):
-    """An attribute that the object does not have; the fix suggests the nearest.
+    """An attribute or a keyword that the object does not have; the fix suggests the nearest.
 
     It is an AttributeError as well, so that ``hasattr`` answers instead of raising.
     """

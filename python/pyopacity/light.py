@@ -10,8 +10,8 @@ class DirectionalLight(Guarded):
 
     Args:
         direction: in which the light travels, three numbers, any length but 0.
-        color: linear RGB, each at least 0.
-        intensity: the factor of the colour, at least 0.
+        color: linear RGB, each in [0, 1e9].
+        intensity: the factor of the colour, in [0, 1e9].
 
     Raises:
         ParameterError: a value outside its range.
@@ -44,7 +44,7 @@ class DirectionalLight(Guarded):
 
     @property
     def color(self) -> tuple[float, float, float]:
-        """Linear RGB, each at least 0."""
+        """Linear RGB, each in [0, 1e9]."""
         r, g, b = (_arrays.shortest(value) for value in self._handle.color())
         return r, g, b
 
@@ -54,7 +54,7 @@ class DirectionalLight(Guarded):
 
     @property
     def intensity(self) -> float:
-        """The factor of the colour, at least 0."""
+        """The factor of the colour, in [0, 1e9]."""
         return _arrays.shortest(self._handle.intensity())
 
     @intensity.setter

@@ -112,7 +112,9 @@ class Renderer(HasParameters):
         """The part of a light that arrives at points, in [0, 1]; 1 where the scene has no light.
 
         Casters nearer than the technique's ``bias`` toward the light do not count, so that a strand
-        does not shadow itself.
+        does not shadow itself. ``bias="auto"`` is the width of a shape's strands, for points the
+        mean width of the scene's, and at least 1e-4 of the casters' radius. What a strand that runs
+        along the light has in front of its own points, beyond the bias, still counts.
 
         Args:
             where: world positions, (N, 3) float32 or float64; or a shape: its own points, moved by
@@ -126,11 +128,11 @@ class Renderer(HasParameters):
             ParameterError: another dtype, shape or order; a point that is not finite, named by its
                 index; a light that is not there.
         """
-        if isinstance(where, Shape):
-            points = where._world_points()
-        else:
-            points = _arrays.floats("points", where, ("N", 3))
         index = _arrays.whole("light", light)
+        if isinstance(where, Shape):
+            with self._log_after():
+                return self._engine.transmittance_of(where._handle, index)
+        points = _arrays.floats("points", where, ("N", 3))
         with self._log_after():
             return self._engine.transmittance(points, index)
 

@@ -6,6 +6,7 @@ from typing import TypeAlias
 from pyopacity import _arrays, _native
 from pyopacity._attributes import Guarded
 from pyopacity.bounds import Bounds
+from pyopacity.errors import ParameterError
 from pyopacity.light import DirectionalLight
 from pyopacity.shapes import Shape
 
@@ -34,22 +35,24 @@ class Scene(Guarded):
             self.add(item)
 
     def add(self, items: Item | Iterable[Item]) -> None:
-        """Adds a shape, a light, or an iterable of them.
+        """Adds a shape, a light, or an iterable of them: all, or after an error none.
 
         Raises:
-            ParameterError: something else; what is in the scene already.
+            ParameterError: something else; what is in the scene already, or twice in the list.
         """
-        for item in _flat(items):
+        fix = "add each shape and light once; for a second copy make another"
+        for item in self._checked(items, False, "is in the scene already", fix):
             self._handle.add(item._handle)
             self._list_of(item).append(item)
 
     def remove(self, items: Item | Iterable[Item]) -> None:
-        """Takes a shape, a light, or an iterable of them out again.
+        """Takes a shape, a light, or an iterable of them out again: all, or after an error none.
 
         Raises:
-            ParameterError: something else; what is not in the scene.
+            ParameterError: something else; what is not in the scene, or twice in the list.
         """
-        for item in _flat(items):
+        fix = "remove only what was added, and once"
+        for item in self._checked(items, True, "is not in the scene", fix):
             self._handle.remove(item._handle)
             self._list_of(item).remove(item)
 
@@ -67,6 +70,19 @@ class Scene(Guarded):
     def bounds(self) -> Bounds:
         """The axis-aligned box around all shapes in world space; empty without any."""
         return Bounds.of(self._handle.bounds())
+
+    def _checked(
+        self, items: Item | Iterable[Item], inside: bool, problem: str, fix: str
+    ) -> list[Item]:
+        """One item or many, all checked to be inside, or outside, before the first one moves."""
+        checked = _flat(items)
+        current: list[Item] = [*self._shapes, *self._lights]
+        held = {id(item._handle) for item in current}
+        for index, item in enumerate(checked):
+            if (id(item._handle) in held) != inside:
+                raise ParameterError(f"item {index}, {item!r}, {problem}", fix)
+            held ^= {id(item._handle)}  # has moved, if it comes again
+        return checked
 
     def _list_of(self, item: Item) -> list[Item]:
         is_light = isinstance(item, DirectionalLight)

@@ -67,10 +67,10 @@ class Shape(Guarded):
 
     @property
     def color(self) -> tuple[float, float, float] | npt.NDArray[np.float32]:
-        """Linear RGB, each at least 0: three numbers for all, or (N, 3) float. Kept as float32.
+        """Linear RGB, each in [0, 1e9]: three numbers for all, or (N, 3) float. Kept as float32.
 
         Raises:
-            ParameterError: a negative or infinite value, or NaN; a wrong number of them.
+            ParameterError: a value outside its range, or NaN; a wrong number of them.
         """
         colors = self._handle.color()
         if len(colors) == 1:
@@ -121,17 +121,6 @@ class Shape(Guarded):
         """The axis-aligned box around it in world space, the width of strands included."""
         return Bounds.of(self._handle.bounds())
 
-    def _world_points(self) -> Floats:
-        """The points in world space, transformed in float64."""
-        points = self.points
-        matrix = self.transform
-        if np.array_equal(matrix, np.eye(4)):
-            return points
-        world: npt.NDArray[np.float64] = (
-            points.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
-        )
-        return np.ascontiguousarray(world)
-
 
 class Strands(Shape):
     """Hair, fur, grass: polylines with a width, seen as ribbons that face the light or the eye.
@@ -144,7 +133,7 @@ class Strands(Shape):
         width: diameter in the shape's units, at least 0: a number for all, or (N,) float.
         opacity: the part of the light that a strand stops, in [0, 1]: a number for all, or (N,)
             float. A strand thinner than a texel stops less, by the part of the texel it covers.
-        color: linear RGB: three numbers for all, or (N, 3) float.
+        color: linear RGB in [0, 1e9]: three numbers for all, or (N, 3) float.
 
     Raises:
         ParameterError: a dtype, shape or order that is not taken; a value outside its range, named
@@ -213,7 +202,7 @@ class Mesh(Shape):
         normals: (N, 3) float, of any length; a zero, or None, stands for a smooth one, which is
             made from the triangles.
         opacity: the part of the light that the surface stops, in [0, 1]: a number, or (N,) float.
-        color: linear RGB: three numbers for all, or (N, 3) float.
+        color: linear RGB in [0, 1e9]: three numbers for all, or (N, 3) float.
 
     Raises:
         ParameterError: a dtype, shape or order that is not taken; a value outside its range, or an

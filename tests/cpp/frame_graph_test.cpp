@@ -27,6 +27,7 @@ struct RecordingDevice : Device {
     void dispatch(const Pass& p, std::array<int, 3>, const Uniforms&) override {
         calls.push_back("dispatch " + p.name);
     }
+    void zero(const Resource& r) override { contents[r.name()].assign(16, std::byte{0}); }
     void write(const Resource& r, std::span<const std::byte> c) override {
         contents[r.name()].assign(c.begin(), c.end());
     }
@@ -337,10 +338,10 @@ TEST_CASE("names are scoped, resources of a frame that are not declared again ar
     CHECK_THROWS_AS(graph.find("maps/a"), ParameterError);
 }
 
-TEST_CASE("dot() draws every pass and what flows between them") {
+TEST_CASE("graph_dot() draws every pass and what flows between them") {
     TwoPasses t;
     t.frame();
-    const std::string dot = t.graph.dot();
+    const std::string dot = t.graph.graph_dot();
     CHECK(dot.find("\"pass depth\" -> \"depth\"") != std::string::npos);
     CHECK(dot.find("\"depth\" -> \"pass light\"") != std::string::npos);
     CHECK(dot.find("\"casters.geometry\" -> \"pass depth\"") != std::string::npos);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "opacity/core/error.hpp"
+#include "opacity/core/nearest_name.hpp"
 #include "opacity/core/param.hpp"
 
 using namespace opacity;
@@ -50,6 +51,23 @@ TEST_CASE("a value outside the range names parameter, value and range, and chang
           }).find("\"auto\", \"linear\"") != std::string::npos);
     CHECK(owner.layers.get() == 16);
     CHECK(owner.layers.revision() == before);
+}
+
+TEST_CASE("a refusal says whether the type or the value was wrong, and shows the value exactly") {
+    Owner owner;
+    const auto refusal = [&](ParamBase& param, const ParamValue& value) {
+        const std::string message = message_of([&] { param.assign(value); });
+        return message.substr(0, message.find('\n'));
+    };
+    CHECK(refusal(owner.layers, true) == "owner.layers = true is not an int");
+    CHECK(refusal(owner.layers, 2.5) == "owner.layers = 2.5 is not an int");
+    CHECK(refusal(owner.layers, 64.5) == "owner.layers = 64.5 is outside 1..64");
+    CHECK(refusal(owner.ratio, std::string{"1"}) == "owner.ratio = \"1\" is not a float");
+    CHECK(refusal(owner.ratio, 1.0000001) == "owner.ratio = 1.0000001 is outside 0..1");
+    CHECK(refusal(owner.fast, std::int64_t{1}) == "owner.fast = 1 is not a bool");
+    CHECK(refusal(owner.split, false) == "owner.split = false is not one of \"auto\", \"linear\"");
+    CHECK(refusal(owner.bias, false) == "owner.bias = false is not a float or \"auto\"");
+    CHECK(refusal(owner.bias, 11.0) == "owner.bias = 11 is outside 0..10");
 }
 
 TEST_CASE("numbers cross where nothing is lost, and the same value moves no revision") {

@@ -285,6 +285,23 @@ TEST_CASE("a light's direction has length 1, whatever was given") {
     CHECK(light.intensity() == 1.f);
 }
 
+TEST_CASE("colours and intensities stay where their products are finite") {
+    DirectionalLight light;
+    Strands strands = two_strands();
+    const float most = 1e9f, more = std::nextafter(most, inf);
+    CHECK(contains(refusal([&] { light.set_color({0, more, 0}); }), "color[1]"));
+    CHECK(contains(refusal([&] { light.set_intensity(more); }), "is not in 0..1e9"));
+    CHECK(contains(refusal([&] { light.set_intensity(-0.1f); }), "intensity = -0.1 is not"));
+    CHECK(contains(refusal([&] { strands.set_color({{0, 0, more}}); }), "in 0..1e9"));
+    CHECK(contains(refusal([&] {
+                       Mesh{Positions{square_points()}, {}, {}, {1.f}, {{more, 0, 0}}};
+                   }),
+                   "color[0]"));
+    CHECK_NOTHROW(light.set_color({most, most, most}));
+    CHECK_NOTHROW(light.set_intensity(most));
+    CHECK_NOTHROW(strands.set_color({{most, most, most}}));
+}
+
 TEST_CASE("a scene holds each shape and light once") {
     Scene scene;
     const auto shape =

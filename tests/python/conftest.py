@@ -101,13 +101,17 @@ def ball_factory() -> Callable[..., po.Mesh]:
     return ball
 
 
-@pytest.fixture
-def scene() -> po.Scene:
+def tuft_and_ball() -> po.Scene:
     """A tuft beside a ball, both on a ground that does not cast, under one light."""
     ground = sheet(half_size=3.0)
     ground.casts = False
     light = po.DirectionalLight((0.5, 0.3, -0.8))
     return po.Scene([tuft(), ball((0.7, 0.0, 0.5)), ground], light)
+
+
+@pytest.fixture
+def scene() -> po.Scene:
+    return tuft_and_ball()
 
 
 SMALL: dict[str, Any] = {"size": (48, 32), "map_size": 64, "antialiasing": 1}
@@ -119,12 +123,22 @@ def small_settings() -> dict[str, Any]:
     return dict(SMALL)
 
 
+def small_renderer(scene: po.Scene) -> po.Renderer:
+    camera = po.Camera.fit(scene.shapes[:2])
+    return po.Renderer(scene, camera, technique="bounding_opacity_maps", **SMALL)
+
+
 @pytest.fixture
 def renderer(needs_gl: None, scene: po.Scene) -> Iterator[po.Renderer]:
     """Renders `scene`, small."""
-    camera = po.Camera.fit(scene.shapes[:2])
-    with po.Renderer(scene, camera, technique="bounding_opacity_maps", **SMALL) as small:
+    with small_renderer(scene) as small:
         yield small
+
+
+@pytest.fixture(name="new_renderer")
+def renderer_factory(needs_gl: None) -> Callable[[], po.Renderer]:
+    """For a test that needs more than one: each with a scene of its own, like `scene`."""
+    return lambda: small_renderer(tuft_and_ball())
 
 
 # ---- commands ----

@@ -23,6 +23,15 @@ def test_import_opens_no_opengl(python: Callable[..., object]) -> None:
     assert (result.returncode, result.stdout.strip()) == (0, "[]"), result.stderr
 
 
+def test_a_message_without_a_listener_is_not_printed(python: Callable[..., object]) -> None:
+    script = "import logging, pyopacity; logging.getLogger('pyopacity').error('heard?')"
+    result = python("-c", script)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert python("-c", f"import logging; logging.basicConfig(); {script}").stderr.endswith(
+        "heard?\n"
+    )
+
+
 def test_every_public_name_is_there_and_documented() -> None:
     assert po.__all__ == sorted(po.__all__)
     for name in po.__all__:

@@ -48,6 +48,23 @@ def test_nothing_is_added_of_a_list_that_is_partly_wrong(tuft: Callable[..., po.
     assert scene.shapes == ()
 
 
+def test_all_is_added_or_removed_or_nothing(tuft: Callable[..., po.Strands]) -> None:
+    hair, other, light = tuft(), tuft(), po.DirectionalLight()
+    scene = po.Scene()
+    with pytest.raises(po.ParameterError, match="item 2 .* already"):
+        scene.add([hair, light, hair])
+    assert (scene.shapes, scene.lights) == ((), ())
+    scene.add([hair, light])
+    with pytest.raises(po.ParameterError, match="item 1 .* already"):
+        scene.add([other, light])
+    for several in ([hair, other], [light, light]):
+        with pytest.raises(po.ParameterError, match="item 1 .* not in the scene"):
+            scene.remove(several)
+    assert (scene.shapes, scene.lights) == ((hair,), (light,))
+    scene.remove([light, hair])
+    assert (scene.shapes, scene.lights) == ((), ())
+
+
 def test_once_is_enough(tuft: Callable[..., po.Strands]) -> None:
     hair = tuft()
     scene = po.Scene(hair)
@@ -76,7 +93,9 @@ def test_light_is_settable() -> None:
         ("direction", "down"),
         ("color", (-1, 0, 0)),
         ("color", (1, 1, 1, 1)),
+        ("color", (1, 1e30, 1)),
         ("intensity", -1),
+        ("intensity", 1e30),
         ("intensity", np.inf),
         ("intensity", 10**400),
         ("intensity", None),

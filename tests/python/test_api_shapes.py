@@ -1,5 +1,6 @@
 """Strands and meshes: what they take, refuse and give back."""
 
+import inspect
 from collections.abc import Callable
 from typing import Any
 
@@ -150,6 +151,37 @@ def test_a_misspelt_attribute_is_an_error_with_the_nearest(tuft: Callable[..., p
     with pytest.raises(po.ParameterError, match="offsets cannot be set"):
         strands.offsets = OFFSETS
     assert not hasattr(strands, "nothing")
+
+
+@pytest.mark.parametrize(
+    ("make", "named"),
+    [
+        (lambda **more: po.Strands(POINTS, OFFSETS, **more), "width"),
+        (lambda **more: po.Strands(points=POINTS, **more), "width"),
+        (lambda **more: po.Mesh(POINTS, np.array([[0, 1, 2]]), **more), "triangles"),
+        (lambda **more: po.DirectionalLight((0, 0, -1), **more), "direction"),
+        (lambda **more: po.Scene(**more), "by position"),
+    ],
+)
+def test_a_misspelt_keyword_is_an_error_with_the_nearest(
+    make: Callable[..., object], named: str
+) -> None:
+    with pytest.raises(po.UnknownNameError, match='"widht"') as error:
+        make(widht=0.3)
+    assert named in error.value.fix
+
+
+def test_other_arguments_are_pythons_business() -> None:
+    with pytest.raises(TypeError, match="offsets"):
+        po.Strands(POINTS)
+    with pytest.raises(TypeError, match="positional"):
+        po.DirectionalLight((0, 0, -1), (1, 1, 1), 1.0, None)
+    with pytest.raises(TypeError, match="multiple values"):
+        po.Strands(POINTS, OFFSETS, points=POINTS)
+    assert list(inspect.signature(po.Strands).parameters) == [
+        *("points", "offsets", "width", "opacity", "color")
+    ]
+    assert inspect.signature(po.Mesh).parameters["color"].default == (0.7, 0.7, 0.7)
 
 
 def test_mesh_makes_normals_and_takes_them(sheet: Callable[..., po.Mesh]) -> None:

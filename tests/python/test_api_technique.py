@@ -49,6 +49,7 @@ def test_values_are_taken_and_kept() -> None:
     [
         ({"layers": 0}, "layers = 0 is outside"),
         ({"layers": 4000}, "layers = 4000 is outside"),
+        ({"layers": True}, "layers = true is not an int"),
         ({"layers": 10**30}, "layers"),
         ({"layers": 2.5}, "layers"),
         ({"layers": "many"}, "layers"),

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
+from pyopacity import _native
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 
@@ -213,6 +214,26 @@ def test_a_world_whose_y_is_up_looks_the_same(run: Run, tmp_path: pathlib.Path) 
         assert result.returncode == 0, result.stderr
         pictures.append(np.load(output))
     assert np.abs(pictures[0] - pictures[1]).mean() < 1e-3
+
+
+# With this much address space for all of it; a driver for a GPU would take more to start.
+LIMITED = """
+import resource, sys
+from pyopacity.cli import main
+resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30))
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+@pytest.mark.gl
+def test_no_memory_is_exit_code_4_and_one_line(python: Run, tmp_path: pathlib.Path) -> None:
+    if not _native.Context.headless().is_software:
+        pytest.skip("only a software renderer takes its textures from this process's memory")
+    big = ("--size", "16x16", "--map-size", "8192", "--param", "layers=16")  # maps of 4 GiB
+    result = python("-c", LIMITED, "render", DEMO, "-o", str(tmp_path / "a.png"), *big)
+    assert (result.returncode, result.stdout) == (4, ""), result.stderr
+    assert len(result.stderr.splitlines()) == 1 and "; fix: " in result.stderr
+    assert list(tmp_path.iterdir()) == []
 
 
 # Sends Ctrl-C as soon as the main thread is inside Renderer.render.

@@ -211,6 +211,7 @@ ABSURD: dict[str, Callable[[po.Renderer], object]] = {
     "opacity NaN": set_(hair, "opacity", np.nan),
     "width -1": set_(hair, "width", -1.0),
     "colour -1": set_(hair, "color", (-1.0, 0.0, 0.0)),
+    "colour 1e30": set_(hair, "color", (0.0, 1e30, 0.0)),
     "points NaN": lambda r: setattr(hair(r), "points", hair(r).points * np.nan),
     "points too few": lambda r: setattr(hair(r), "points", hair(r).points[:3].copy()),
     "transform singular": set_(hair, "transform", np.zeros((4, 4))),
@@ -254,6 +255,16 @@ def test_a_second_light_is_refused_until_it_is_gone(
         renderer.render()
     renderer.scene.remove(second)
     assert same(before, renderer.render())
+
+
+@pytest.mark.gl
+def test_the_brightest_picture_is_finite(renderer: po.Renderer) -> None:
+    light = renderer.scene.lights[0]
+    light.color, light.intensity = (1e9, 1e9, 1e9), 1e9
+    for shape in renderer.scene.shapes:
+        shape.color = (1e9, 1e9, 1e9)
+    picture = renderer.render()
+    assert np.isfinite(picture).all() and picture.max() > 1e20
 
 
 @pytest.mark.gl

@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 import pyopacity as po
 
@@ -217,17 +219,29 @@ CHANGES: list[Change] = [
 ]
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_skipped_equals_forced(renderer: po.Renderer, same: Callable[..., bool], seed: int) -> None:
-    r = random.Random(seed)
-    done = []
-    for _ in range(10):
-        change = r.choice(CHANGES)
-        done.append(change.__name__)
-        change(r, renderer)
-        skipped = renderer.render()
-        renderer.invalidate()
-        assert same(skipped, renderer.render()), done
+# The fixtures keep nothing between examples: each has a renderer of its own, to be repeated alone.
+@settings(
+    max_examples=8,
+    derandomize=True,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(
+    changes=st.lists(st.sampled_from(CHANGES), min_size=5, max_size=10),
+    r=st.randoms(use_true_random=False),
+)
+def test_skipped_equals_forced(
+    new_renderer: Callable[[], po.Renderer],
+    same: Callable[..., bool],
+    changes: list[Change],
+    r: random.Random,
+) -> None:
+    with new_renderer() as renderer:
+        for change in changes:
+            change(r, renderer)
+            skipped = renderer.render()
+            renderer.invalidate()
+            assert same(skipped, renderer.render()), change.__name__
 
 
 def test_a_used_renderer_draws_what_a_new_one_does(

@@ -158,6 +158,9 @@ HEADLESS = (DEMO, "--headless", "-o", "a.png")
         (("--frames",), "--frames"),
         (("--frames", "x"), "--frames"),
         (("--frames", "-1"), "--frames"),
+        (("--frames", "0"), "--frames"),
+        (("--frames", "3x"), "--frames"),
+        (("--frames", "1000000001"), "1..1000000000"),
         (("--up", "w"), "--up"),
         (("--light", "1,2"), "--light"),
         (("--light", "1,2,3,4"), "--light"),
@@ -182,6 +185,13 @@ def test_bad_usage_is_one_line_with_the_fix(
     assert result.stderr.startswith("opacity_demo: ") and "; fix: " in result.stderr
     assert named in result.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def test_no_memory_is_exit_code_4(tmp_path: pathlib.Path) -> None:
+    little = f"ulimit -v 1000000; exec {VIEWER} 'demo:hair?segments=100000000' --headless -o a.png"
+    result = run(tmp_path, "bash", "-c", little)
+    assert (result.returncode, result.stdout) == (4, ""), result.stderr
+    assert len(result.stderr.splitlines()) == 1 and "; fix: " in result.stderr
 
 
 @pytest.mark.gl

@@ -1,5 +1,5 @@
-// The engine, in reading order: a scene holds shapes and lights; a frame graph runs passes; a technique is a list of
-// passes; a renderer ties them to a context.
+// The engine, in reading order: a scene holds shapes and lights; a frame graph runs passes; a
+// technique is a list of passes; a renderer ties them to a context.
 #pragma once
 
 #include "opacity/core/error.hpp"

@@ -65,13 +65,16 @@ class Renderer {
     void render(std::span<float> rgba);
     // T in [0, 1] at world points: the fraction of the light that arrives there. 1 without a light.
     std::vector<float> transmittance(const Positions& world_points, int light = 0);
+    // At a shape's own points; the automatic bias is then that of its own strands.
+    std::vector<float> transmittance(const Shape& shape, int light = 0);
 
     // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along
     // the light.
     double4x4 light_from_world() const;
 
     const Report& report() const;
-    std::string dot() const;
+    // The passes of the last frame and what they read and write, as a Graphviz digraph.
+    std::string graph_dot() const;
     TextureContent read(const std::string& texture) const;
     // Forgets every cached pass.
     void invalidate();

@@ -51,8 +51,12 @@ class Technique : public ParamOwner {
                    "bias",
                    {0.0, 1e9},
                    "World units toward the light within which casters do not count; auto: the "
-                   "strand width, at least "
-                   "1e-4 of the casters' radius."};
+                   "receiver's strand width, at least 1e-4 of the casters' radius."};
+
+   protected:
+    // What build returns for a shader that includes lib/lookup.glsl: its own reads and those of
+    // that file.
+    Reads look_up(const ShadowInputs& inputs, Reads reads) const;
 };
 
 // The names in the registry, in its order.

@@ -24,15 +24,16 @@ flat in vec2 v_opacity;
 bool covers(out Deposit deposit) {
     vec2 a = v_root.xy, d = v_tip.xy - v_root.xy, texel = gl_FragCoord.xy;
     if (abs(d.y) > abs(d.x)) a = a.yx, d = d.yx, texel = texel.yx;
-    float f = min(max(a.x, a.x + d.x), texel.x + 0.5) - max(min(a.x, a.x + d.x), texel.x - 0.5);
+    precise float f = min(max(a.x, a.x + d.x), texel.x + 0.5) - max(min(a.x, a.x + d.x), texel.x - 0.5);
     if (!(f > 0.0)) return false;
-    float slope = d.y / d.x;
-    float along = clamp((texel.x - a.x) / d.x, 0.0, 1.0);
-    float half_width = 0.5 * mix(v_width_texels.x, v_width_texels.y, along) * sqrt(1.0 + slope * slope);
-    float y = a.y + slope * (texel.x - a.x);
-    float c = clamp(min(y + half_width, texel.y + 0.5) - max(y - half_width, texel.y - 0.5), 0.0, 1.0);
+    precise float slope = d.y / d.x;
+    precise float along = clamp((texel.x - a.x) / d.x, 0.0, 1.0);
+    precise float half_width = 0.5 * mix(v_width_texels.x, v_width_texels.y, along) * sqrt(1.0 + slope * slope);
+    precise float y = a.y + slope * (texel.x - a.x);
+    precise float c = clamp(min(y + half_width, texel.y + 0.5) - max(y - half_width, texel.y - 0.5), 0.0, 1.0);
     if (!(c > 0.0)) return false;
-    deposit.depth = mix(v_root.z, v_tip.z, along);
+    precise float depth = mix(v_root.z, v_tip.z, along);
+    deposit.depth = depth;
 #ifdef OPTICAL_DEPTH
     deposit.optical_depth = min(f, 1.0) * optical_depth_of(mix(v_opacity.x, v_opacity.y, along) * c);
 #endif

@@ -5,17 +5,20 @@
 #include "lib/light.glsl"
 
 uniform sampler2D t_opaque_depth;
-uniform float u_bias;             // world units; negative: automatic
-uniform float u_light_auto_bias;  // world units
+uniform float u_bias;              // world units; negative: automatic
+uniform float u_receiver_width;    // world units: a strand does not shadow its own neighbourhood
+uniform float u_light_least_bias;  // world units
 
 float texel_or_opaque(ivec2 texel, float depth) {
+    // A map of up to three texels has no border: its outer texels stand for what lies beside them.
+    if (u_light_map_size_px < 4) texel = clamp(texel, ivec2(0), ivec2(u_light_map_size_px - 1));
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(u_light_map_size_px)))) return 1.0;
     if (texelFetch(t_opaque_depth, texel, 0).x < min(depth, 1.0)) return 0.0;
     return texel_transmittance(texel, depth);
 }
 
 float shadow_transmittance(vec3 p_ls) {
-    float bias = (u_bias < 0.0 ? u_light_auto_bias : u_bias) / u_light_depth_range;
+    float bias = (u_bias < 0.0 ? max(u_receiver_width, u_light_least_bias) : u_bias) / u_light_depth_range;
     float depth = p_ls.z - bias;
     // Also false for a coordinate that is not finite: T = 1, never NaN.
     if (!(depth > 0.0 && all(greaterThan(p_ls.xy, vec2(-1.0))) &&

@@ -13,20 +13,22 @@ void main() {
 
 #ifdef PASS_store
 #include "lib/deposit.glsl"
-uniform usampler2D t_first;
+uniform usampler2D t_first, t_count;
 layout(r32ui) uniform uimage2D i_stored;
 layout(rgba32f) writeonly uniform image2D i_unsorted;
 
 void main() {
     Deposit deposit = deposit_or_discard();
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    uint index = texelFetch(t_first, texel, 0).x + imageAtomicAdd(i_stored, texel, 1u);
-    imageStore(i_unsorted, list_place(index), vec4(deposit.depth, deposit.optical_depth, texel));
+    uint index = imageAtomicAdd(i_stored, texel, 1u);
+    // The same fragments arrive as were counted; a driver that disagrees must not write into the next texel's list.
+    if (index >= texelFetch(t_count, texel, 0).x) return;
+    imageStore(i_unsorted, list_place(texelFetch(t_first, texel, 0).x + index), vec4(deposit.depth, deposit.optical_depth, texel));
 }
 #endif
 
 #ifdef PASS_sort
-layout(local_size_x = 64) in;
+#include "lib/invocation.glsl"
 uniform usampler2D t_first, t_count;
 uniform sampler2D t_unsorted;
 layout(rgba32f) uniform image2D i_list, i_scratch;
@@ -91,7 +93,7 @@ void accumulate(uint index) {
 }
 
 void main() {
-    uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationID.x;
+    uint index = invocation_index();
     ivec2 map_size = textureSize(t_count, 0);
     if (u_step == step_merge && index < uint(u_fragments)) merge(index);
     if (u_step == step_sum && index < uint(map_size.x * map_size.y)) accumulate(index);

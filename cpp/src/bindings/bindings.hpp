@@ -5,6 +5,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+
 namespace opacity::bindings {
 
 namespace py = pybind11;

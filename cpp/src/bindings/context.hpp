@@ -1,9 +1,11 @@
 // A context and what OpenGL said about its use.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 

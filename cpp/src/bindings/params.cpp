@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings/bindings.hpp"
+#include "opacity/core/nearest_name.hpp"
 #include "opacity/renderer.hpp"
 
 namespace opacity::bindings {

@@ -36,15 +36,23 @@ void render(Renderer& self, Array<float>& out) {
     check_signals();
 }
 
-py::array transmittance(Renderer& self, const py::array& xyz, int light) {
-    const Positions points = to_positions(xyz);
+template <class Where>
+py::array ask(Renderer& self, const Where& where, int light) {
     std::vector<float> result;
     {
         const py::gil_scoped_release release;
-        result = self.transmittance(points, light);
+        result = self.transmittance(where, light);
     }
     check_signals();
     return take(std::move(result));
+}
+
+py::array transmittance(Renderer& self, const py::array& xyz, int light) {
+    return ask(self, to_positions(xyz), light);
+}
+
+py::array transmittance_of(Renderer& self, const Shape& shape, int light) {
+    return ask(self, shape, light);
 }
 
 // The rows, and the table for people that the engine makes of them.
@@ -79,10 +87,11 @@ void bind_renderer(py::module_& module) {
         .def("set_background", &Renderer::set_background)
         .def("render", &render, py::arg("out").noconvert())
         .def("transmittance", &transmittance)
+        .def("transmittance_of", &transmittance_of)
         .def("light_from_world",
              [](const Renderer& self) { return from_matrix(self.light_from_world()); })
         .def("report", &report)
-        .def("graph_dot", [](const Renderer& self) { return text(self.dot()); })
+        .def("graph_dot", [](const Renderer& self) { return text(self.graph_dot()); })
         .def("read", &read)
         .def("invalidate", &Renderer::invalidate)
         .def("needs_recompute", &Renderer::needs_recompute);

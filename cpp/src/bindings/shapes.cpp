@@ -85,33 +85,25 @@ void bind_placement(Class& shape) {
         .def("bounds", &bounds_of);
 }
 
-std::shared_ptr<Strands> make_strands(const py::array& points, const Array<std::int64_t>& offsets,
-                                      const py::array& width, const py::array& opacity,
-                                      const py::array& color) {
+// Both are made of points, of indices that join them, of one attribute of their own (the width, the
+// normals), of opacity and colour.
+template <class ShapeType, class Index, auto to_own>
+std::shared_ptr<ShapeType> make(const py::array& points, const Array<Index>& indices,
+                                const py::array& own, const py::array& opacity,
+                                const py::array& color) {
     Positions xyz = to_positions(points);
-    std::vector<std::int64_t> starts = to_vector(offsets);
-    std::vector<float> widths = to_floats(width), opacities = to_floats(opacity);
+    std::vector<Index> joined = to_vector(indices);
+    auto own_values = to_own(own);
+    std::vector<float> opacities = to_floats(opacity);
     std::vector<float3> colors = to_float3s(color);
     const py::gil_scoped_release release;
-    return std::make_shared<Strands>(std::move(xyz), std::move(starts), std::move(widths),
-                                     std::move(opacities), std::move(colors));
-}
-
-std::shared_ptr<Mesh> make_mesh(const py::array& positions, const Array<std::uint32_t>& triangles,
-                                const py::array& normals, const py::array& opacity,
-                                const py::array& color) {
-    Positions xyz = to_positions(positions);
-    std::vector<std::uint32_t> indices = to_vector(triangles);
-    std::vector<float3> directions = to_float3s(normals), colors = to_float3s(color);
-    std::vector<float> opacities = to_floats(opacity);
-    const py::gil_scoped_release release;
-    return std::make_shared<Mesh>(std::move(xyz), std::move(indices), std::move(directions),
-                                  std::move(opacities), std::move(colors));
+    return std::make_shared<ShapeType>(std::move(xyz), std::move(joined), std::move(own_values),
+                                       std::move(opacities), std::move(colors));
 }
 
 void bind_strands(py::module_& module) {
     py::classh<Strands, Shape>(module, "Strands")
-        .def(py::init(&make_strands))
+        .def(py::init(&make<Strands, std::int64_t, &to_floats>))
         .def("offsets", [](const Strands& self) { return take(self.offsets()); })
         .def("width",
              [](const Strands& self) {
@@ -127,7 +119,7 @@ void bind_strands(py::module_& module) {
 
 void bind_mesh(py::module_& module) {
     py::classh<Mesh, Shape>(module, "Mesh")
-        .def(py::init(&make_mesh))
+        .def(py::init(&make<Mesh, std::uint32_t, &to_float3s>))
         .def("triangles",
              [](const Mesh& self) {
                  std::vector<std::uint32_t> indices = self.triangles();

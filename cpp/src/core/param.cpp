@@ -1,21 +1,17 @@
 #include "opacity/core/param.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "core/number_text.hpp"
 #include "opacity/core/error.hpp"
+#include "opacity/core/nearest_name.hpp"
 
 namespace opacity {
 namespace {
-
-std::string number_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    return text;
-}
 
 // Numbers cross freely where nothing is lost: 1 is a float, 2.0 is an int, true is neither.
 bool as_double(const ParamValue& value, double& number) {
@@ -38,14 +34,14 @@ ParamBase::ParamBase(ParamOwner& owner, std::string name, std::string doc)
     owner.params_.push_back(this);
 }
 
-void ParamBase::reject(const ParamValue& value) const {
-    const bool is_text = std::holds_alternative<std::string>(value);
-    const bool is_number = !is_text && !std::holds_alternative<bool>(value);
-    const bool wants_number = type() == "int" || type() == "float";
-    const char* problem = is_number && wants_number ? " is outside " : " is not one of ";
+void ParamBase::reject(const ParamValue& value, const std::string& problem) const {
     throw ParameterError(
-        owner_.name() + "." + name() + " = " + to_string(value) + problem + range(),
+        owner_.name() + "." + name() + " = " + to_string(value) + " is " + problem,
         "choose " + range() + "; pyopacity techniques lists every parameter with its range");
+}
+
+void ParamBase::reject_type(const ParamValue& value) const {
+    reject(value, std::string{"not "} + (type() == "int" ? "an " : "a ") + type());
 }
 
 ParamBase& ParamOwner::param(std::string_view name) const {
@@ -95,10 +91,11 @@ ParamValue Param<double>::default_value() const {
 template <class T>
 void Param<T>::assign(const ParamValue& value) {
     double number = 0.0;
-    if (!as_double(value, number)) reject(value);
-    if (!(number >= double(range_.min) && number <= double(range_.max))) reject(value);
+    if (!as_double(value, number)) reject_type(value);
+    if (!(number >= double(range_.min) && number <= double(range_.max)))
+        reject(value, "outside " + range());
     const T converted = static_cast<T>(number);
-    if (double(converted) != number) reject(value);
+    if (double(converted) != number) reject_type(value);
     if (converted == value_) return;
     value_ = converted;
     touch();
@@ -118,7 +115,7 @@ template class Param<double>;
 
 void Param<bool>::assign(const ParamValue& value) {
     const auto* b = std::get_if<bool>(&value);
-    if (!b) reject(value);
+    if (!b) reject_type(value);
     if (*b == value_) return;
     value_ = *b;
     touch();
@@ -136,14 +133,18 @@ void Choice::assign(const ParamValue& value) {
     std::size_t index = choices_.size();
     for (std::size_t i = 0; text && i < choices_.size(); ++i)
         if (choices_[i] == *text) index = i;
-    if (index == choices_.size()) reject(value);
+    if (index == choices_.size()) reject(value, "not one of " + range());
     if (index == index_) return;
     index_ = index;
     touch();
 }
 
+std::string AutoParam::number_range() const {
+    return number_text(range_.min) + ".." + number_text(range_.max);
+}
+
 std::string AutoParam::range() const {
-    return "\"auto\" or " + number_text(range_.min) + ".." + number_text(range_.max);
+    return "\"auto\" or " + number_range();
 }
 
 ParamValue AutoParam::value() const {
@@ -154,33 +155,15 @@ ParamValue AutoParam::value() const {
 void AutoParam::assign(const ParamValue& value) {
     double number = -1.0;
     if (const auto* text = std::get_if<std::string>(&value)) {
-        if (*text != "auto") reject(value);
-    } else if (!as_double(value, number) || !(number >= range_.min && number <= range_.max)) {
-        reject(value);
+        if (*text != "auto") reject_type(value);
+    } else if (!as_double(value, number)) {
+        reject_type(value);
+    } else if (!(number >= range_.min && number <= range_.max)) {
+        reject(value, "outside " + number_range());
     }
     if (number == value_) return;
     value_ = number;
     touch();
-}
-
-std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
-    std::string best;
-    std::size_t best_edits = std::numeric_limits<std::size_t>::max();
-    for (const std::string& candidate : candidates) {
-        // Levenshtein distance, one row at a time.
-        std::vector<std::size_t> row(candidate.size() + 1);
-        std::iota(row.begin(), row.end(), std::size_t{0});
-        for (std::size_t i = 0; i < name.size(); ++i) {
-            std::size_t diagonal = std::exchange(row[0], i + 1);
-            for (std::size_t j = 0; j < candidate.size(); ++j) {
-                const std::size_t replaced = diagonal + (name[i] != candidate[j]);
-                diagonal = row[j + 1];
-                row[j + 1] = std::min({replaced, diagonal + 1, row[j] + 1});
-            }
-        }
-        if (row.back() < best_edits) best_edits = row.back(), best = candidate;
-    }
-    return best;
 }
 
 }  // namespace opacity

@@ -34,7 +34,7 @@ class Object {
         return *this;
     }
     ~Object() {
-        if (!name_) return;
+        if (!name_ || !context_) return;  // the second for the compiler: a name has a context
         context_->count_object(-1);
         context_->release(int(kind), name_);
     }

@@ -1,6 +1,8 @@
 // Draws a linear picture to the screen's framebuffer, encoded as sRGB.
 #pragma once
 
+#include <memory>
+
 #include "gl/program.hpp"
 #include "gl/texture.hpp"
 

@@ -2,7 +2,9 @@
 // sampler, image and storage block has a name here, and a unit or binding of its own.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>

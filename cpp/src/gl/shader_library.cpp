@@ -10,6 +10,7 @@
 
 #include "gl/embedded_shaders.hpp"
 #include "opacity/core/error.hpp"
+#include "opacity/core/nearest_name.hpp"
 #include "opacity/core/param.hpp"
 
 namespace opacity::gl {

@@ -9,15 +9,6 @@
 namespace opacity {
 namespace {
 
-// Everything that a pass reads: what it declares, and from where it draws which shapes.
-Reads all_reads(const Pass& pass) {
-    Reads reads = pass.reads;
-    if (pass.view) reads.push_back(pass.view);
-    if (pass.draws) reads.push_back(&pass.draws->geometry);
-    if (pass.only_with) reads.push_back(&pass.only_with->geometry);
-    return reads;
-}
-
 std::set<const Source*> all_outputs(const Pass& pass) {
     std::set<const Source*> outputs{pass.values.begin(), pass.values.end()};
     outputs.insert(pass.stores.begin(), pass.stores.end());
@@ -32,6 +23,20 @@ const DrawList* empty_list(const Pass& pass) {
     return nullptr;
 }
 
+// What a pass is, apart from the content of its reads: another shader or state is another result.
+Revision declaration_of(const Pass& pass) {
+    const Shader& shader = pass.shader;
+    std::string text =
+        shader.vertex + "|" + shader.fragment + "|" + shader.compute + "|" + shader.technique;
+    for (const auto& [name, value] : shader.defines) text += "|" + name + "=" + value;
+    for (const Target& target : pass.writes)
+        text += "|" + target.texture->name() + ":" + std::to_string(target.layer);
+    for (const float number : pass.state.clear_color) text += "|" + std::to_string(number);
+    text += "|" + std::to_string(int(pass.state.depth)) + std::to_string(int(pass.state.blend)) +
+            std::to_string(pass.state.clear_depth);
+    return std::hash<std::string>{}(text);
+}
+
 template <class Names>
 std::string joined(const Names& names) {
     std::string text;
@@ -40,6 +45,14 @@ std::string joined(const Names& names) {
 }
 
 }  // namespace
+
+Reads all_reads(const Pass& pass) {
+    Reads reads = pass.reads;
+    if (pass.view) reads.push_back(pass.view);
+    if (pass.draws) reads.push_back(&pass.draws->geometry);
+    if (pass.only_with) reads.push_back(&pass.only_with->geometry);
+    return reads;
+}
 
 FrameGraph::~FrameGraph() {
     for (const auto& [name, texture] : textures_) device_.release(*texture);
@@ -99,6 +112,15 @@ void FrameGraph::check(const Pass& pass) const {
         if (std::find(reads.begin(), reads.end(), output) != reads.end())
             fail("reads \"" + output->name() + "\", which it writes itself",
                  "write to a second resource and read the first");
+    std::map<std::string, const Source*> resources;
+    for (const Source* read : reads) {
+        if (!dynamic_cast<const Resource*>(read)) continue;
+        const Source* first = resources.emplace(read->shader_name(), read).first->second;
+        if (first != read)
+            fail("reads \"" + first->name() + "\" and \"" + read->name() + "\", both t_" +
+                     read->shader_name() + " in GLSL",
+                 "rename one of the two");
+    }
     for (const Pass& earlier : passes_) {
         if (earlier.name == pass.name) fail("is declared twice", "rename one of the two");
         for (const Target& mine : pass.writes)
@@ -127,7 +149,7 @@ std::set<const Source*> FrameGraph::needed_for(const Resource& goal) const {
 }
 
 std::vector<FrameGraph::Read> FrameGraph::reads_now(const Pass& pass) const {
-    std::vector<Read> reads;
+    std::vector<Read> reads{{"its declaration", declaration_of(pass)}};
     if (!pass.shader.vertex.empty() || !pass.shader.compute.empty())
         reads.push_back({"shaders", shader_revision_});
     for (const Source* read : all_reads(pass)) reads.push_back({read->name(), read->revision()});
@@ -232,6 +254,7 @@ void FrameGraph::drop_undeclared() {
     };
     drop(textures_);
     drop(buffers_);
+    std::erase_if(values_, [this](const auto& entry) { return !declared_.contains(entry.first); });
     std::erase_if(records_, [this](const auto& entry) {
         return std::none_of(passes_.begin(), passes_.end(),
                             [&](const Pass& pass) { return pass.name == entry.first; });

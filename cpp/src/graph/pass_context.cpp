@@ -19,8 +19,13 @@ void PassContext::draw() {
     graph_.device_.draw(pass_);
 }
 
-void PassContext::dispatch(int x, int y, int z, const Uniforms& extra) {
-    if (x > 0 && y > 0 && z > 0) graph_.device_.dispatch(pass_, {x, y, z}, extra);
+void PassContext::dispatch(int count, const Uniforms& extra) {
+    constexpr int group_size = 64;      // lib/invocation.glsl
+    constexpr int most_groups = 32768;  // OpenGL promises 65,535 in each direction
+    const int groups = (count + group_size - 1) / group_size;
+    const int columns = std::min(groups, most_groups);
+    if (count > 0)
+        graph_.device_.dispatch(pass_, {columns, (groups + columns - 1) / columns, 1}, extra);
 }
 
 void PassContext::resize(Texture& texture, const TextureDesc& desc) {
@@ -33,7 +38,12 @@ void PassContext::resize(Buffer& buffer, std::size_t size_bytes) {
     require_store(buffer);
     if (buffer.size_bytes() == size_bytes) return;
     buffer.resize(size_bytes);
-    graph_.device_.allocate(buffer);
+    try {
+        graph_.device_.allocate(buffer);
+    } catch (...) {
+        buffer.resize(0);  // so that the next frame tries again
+        throw;
+    }
 }
 
 void PassContext::write(const Resource& resource, std::span<const std::byte> content) {
@@ -43,8 +53,7 @@ void PassContext::write(const Resource& resource, std::span<const std::byte> con
 
 void PassContext::zero(const Texture& texture) {
     require_store(texture);
-    const std::vector<std::byte> zeros(size_bytes(texture.desc()));
-    graph_.device_.write(texture, zeros);
+    graph_.device_.zero(texture);
 }
 
 void PassContext::read_bytes(const Resource& resource, std::span<std::byte> content) {

@@ -32,7 +32,7 @@ std::string to_string(const Report& report) {
     return table;
 }
 
-std::string FrameGraph::dot() const {
+std::string FrameGraph::graph_dot() const {
     std::string text = "digraph frame {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
     std::set<std::string> nodes, edges;
     const auto source = [&](const Source& s) {
@@ -53,9 +53,7 @@ std::string FrameGraph::dot() const {
         const auto writes = [&](const Source& s) {
             edges.insert("  " + node + " -> " + source(s) + ";\n");
         };
-        for (const Source* read : pass.reads) reads(*read);
-        if (pass.view) reads(*pass.view);
-        if (pass.draws) reads(pass.draws->geometry);
+        for (const Source* read : all_reads(pass)) reads(*read);
         for (const Target& target : pass.writes) writes(*target.texture);
         for (const Resource* store : pass.stores) writes(*store);
         for (const Source* value : pass.values) writes(*value);

@@ -9,8 +9,6 @@ namespace opacity {
 
 int channels(Format format) {
     switch (format) {
-        case Format::rg32f:
-            return 2;
         case Format::rgba32f:
             return 4;
         default:
@@ -19,7 +17,8 @@ int channels(Format format) {
 }
 
 std::size_t size_bytes(const TextureDesc& desc) {
-    return std::size_t(desc.width) * desc.height * std::max(desc.layers, 1) *
+    const std::size_t scale = content_scale(desc);
+    return scale * scale * desc.width * desc.height * std::max(desc.layers, 1) *
            channels(desc.format) * 4;
 }
 
@@ -33,6 +32,7 @@ void DrawList::update(std::vector<ShapePtr> shapes) {
     shapes_ = std::move(shapes);
     std::vector<Revision> geometry_now, opacity_now, color_now;
     for (const ShapePtr& shape : shapes_) {
+        const auto lock = shape->lock();
         const Shape::Revisions& now = shape->revisions();
         geometry_now.insert(geometry_now.end(), {now.geometry, now.transform});
         opacity_now.push_back(now.opacity);

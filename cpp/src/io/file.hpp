@@ -1,6 +1,7 @@
 // Files as they are read: every way in which opening or reading one fails is a FileFormatError.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>

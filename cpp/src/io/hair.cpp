@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "core/number_text.hpp"
 #include "io/file.hpp"
 #include "opacity/io/load.hpp"
 #include "opacity/scene/positions.hpp"
@@ -116,7 +117,7 @@ std::vector<float3> read_colors(InputFile& file, const Header& header) {
     const bool present = header.has(has_colors);
     std::vector<float3> colors =
         present ? read_array<float3>(file, header.points) : std::vector<float3>{header.color};
-    check(file, present ? "colour" : "default colour", flat(colors), not_negative, 3);
+    check(file, present ? "colour" : "default colour", flat(colors), brightness, 3);
     return colors;
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/file.hpp"
 #include "opacity/core/error.hpp"
+#include "opacity/core/nearest_name.hpp"
 #include "opacity/core/param.hpp"
 
 namespace opacity {

@@ -1,5 +1,6 @@
 #include "io/mtl.hpp"
 
+#include "core/number_text.hpp"
 #include "io/file.hpp"
 #include "io/text_cursor.hpp"
 #include "scene/check.hpp"
@@ -20,10 +21,10 @@ void read_color(TextCursor cursor, Material& material) {
     TextCursor ahead = cursor;
     const std::string_view first = ahead.word();
     if (first == "spectral" || first == "xyz") return;  // rare, and needs tables: the grey stays
-    material.color.fill(checked(cursor, "Kd", not_negative));
+    material.color.fill(checked(cursor, "Kd", brightness));
     if (ahead.word().empty()) return;
-    material.color[1] = checked(cursor, "Kd", not_negative);
-    material.color[2] = checked(cursor, "Kd", not_negative);
+    material.color[1] = checked(cursor, "Kd", brightness);
+    material.color[2] = checked(cursor, "Kd", brightness);
 }
 
 // "d 0.7" or "d -halo 0.7", whose fall-off toward the edges is left out.

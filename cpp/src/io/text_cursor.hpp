@@ -2,6 +2,7 @@
 // CRLF and lines continued by a backslash are handled here and nowhere else.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>

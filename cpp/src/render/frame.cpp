@@ -7,8 +7,8 @@
 namespace opacity::render {
 namespace {
 
-constexpr int group_size = 64;      // transmittance.comp.glsl
-constexpr int most_groups = 32768;  // a dispatch takes 65,535 a dimension
+// Questions are asked in parts: a storage buffer may end at 128 MiB.
+constexpr std::size_t most_points = std::size_t{1} << 22;
 
 // Reversed and without a far plane: depth is near / distance, which float32 resolves over any
 // range. Rows go down, so that the first row read back is the top of the picture.
@@ -22,9 +22,10 @@ std::vector<float> clip_from_view(const Camera& camera, double aspect, double ne
     return columns;
 }
 
-double near_distance(const Camera& camera) {
-    const double3 &eye = camera.eye(), &target = camera.target();
-    return 1e-3 * std::hypot(target[0] - eye[0], target[1] - eye[1], target[2] - eye[2]);
+// Depth is as precise for a near plane this close, and what a scene of this size holds is all
+// behind it.
+double near_distance(const Scene& scene) {
+    return 1e-6 * std::max(scene.bounds().radius(), 1e-20);
 }
 
 std::vector<float> rotate(const double4x4& m, const double3& v) {
@@ -45,18 +46,17 @@ void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
     const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
     const double4x4 view = inputs.camera.view_from_world();
     camera_.update(view, {{"u_camera_clip_from_view",
-                           clip_from_view(inputs.camera, aspect, near_distance(inputs.camera))}});
+                           clip_from_view(inputs.camera, aspect, near_distance(inputs.scene))}});
     const double3& travel = light.direction();
     const float3& color = light.color();
     lamp_.update({{"u_to_light_vs", rotate(view, {-travel[0], -travel[1], -travel[2]})},
                   {"u_light_color",
                    std::vector<float>{color[0] * light.intensity(), color[1] * light.intensity(),
                                       color[2] * light.intensity()}}});
-    const float4& b = inputs.background;
-    background_.update({{"u_background", std::vector<float>{b[0], b[1], b[2], b[3]}}});
 }
 
 Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
+    technique_ = inputs.technique;
     update_sources(inputs, query);
     device_.collect();
     graph_.begin();
@@ -65,13 +65,12 @@ Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
     Reads lookup;
     std::string look_up_shader = "techniques/unshadowed.glsl";  // without a light
     if (!inputs.scene.lights().empty()) {
-        look_up_shader = inputs.technique.shader_path();
-        const FrameGraph::Scope scope{graph_, inputs.technique.name()};
-        lookup = inputs.technique.build(graph_, {light_, lists_.translucent, opaque_depth,
-                                                 !lists_.opaque.shapes().empty(), map_size_px});
+        look_up_shader = technique_->shader_path();
+        const FrameGraph::Scope scope{graph_, technique_->name()};
+        lookup = technique_->build(graph_, {light_, lists_.translucent, opaque_depth,
+                                            !lists_.opaque.shapes().empty(), map_size_px});
     }
-    if (!lookup.empty()) lookup.insert(lookup.end(), {&opaque_depth, &inputs.technique.bias});
-    lookup.push_back(&light_);
+    lookup.push_back(&light_);  // lighting places every vertex in the light's map
     Texture& image = add_lighting(inputs, lookup, look_up_shader);
     return {image, add_transmittance(lookup, look_up_shader)};
 }
@@ -99,8 +98,8 @@ Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup,
     picture.format = Format::depth32f;
     Texture& depth = graph_.texture("camera_depth", picture);
     Reads reads = lookup;
-    reads.insert(reads.end(), {&lists_.visible.color, &lamp_, &background_, &settings.ambient,
-                               &settings.specular, &settings.shininess});
+    reads.insert(reads.end(), {&lists_.visible.color, &lamp_, &settings.ambient, &settings.specular,
+                               &settings.shininess});
     const float4& b = inputs.background;
     graph_.add({.name = "lighting",
                 .shader = {.vertex = "lighting.vert.glsl",
@@ -126,19 +125,24 @@ Buffer& Frame::add_transmittance(const Reads& lookup, const std::string& look_up
                 .reads = std::move(reads),
                 .stores = {&points, &result},
                 .execute = [this, &points, &result](PassContext& context) {
-                    const int count = int(query_points_ls_.size() / 4);
-                    context.resize(points, query_points_ls_.size() * sizeof(float));
-                    context.resize(result, count * sizeof(float));
-                    context.write(points, std::as_bytes(std::span{query_points_ls_}));
-                    const int groups = (count + group_size - 1) / group_size;
-                    const int columns = std::min(groups, most_groups);
-                    if (count > 0)
-                        context.dispatch(columns, (groups + columns - 1) / columns, 1,
-                                         {{"u_point_count", count}});
-                    transmittance_ = context.read<float>(result);
-                    transmittance_.resize(count);
+                    transmittance_.clear();
+                    for (std::size_t first = 0; first < query_points_ls_.size();
+                         first += 4 * most_points)
+                        ask(context, points, result, first);
                 }});
     return result;
+}
+
+void Frame::ask(PassContext& context, Buffer& points, Buffer& result, std::size_t first) {
+    const std::span<const float> part = std::span{query_points_ls_}.subspan(
+        first, std::min(4 * most_points, query_points_ls_.size() - first));
+    const int count = int(part.size() / 4);
+    context.resize(points, part.size_bytes());
+    context.resize(result, count * sizeof(float));
+    context.write(points, std::as_bytes(part));
+    context.dispatch(count, {{"u_point_count", count}, {"u_receiver_width", query_width_}});
+    const std::vector<float> answers = context.read<float>(result);
+    transmittance_.insert(transmittance_.end(), answers.begin(), answers.end());
 }
 
 void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
@@ -147,7 +151,8 @@ void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
     device_.read(goals.image, std::as_writable_bytes(rgba));
 }
 
-std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Positions& world_points) {
+std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Positions& world_points,
+                                        double receiver_width) {
     const Goals goals = declare(inputs, world_points.bounds());
     query_points_ls_.resize(4 * world_points.size());
     for (std::size_t i = 0; i < world_points.size(); ++i) {
@@ -155,6 +160,7 @@ std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Positio
         for (int axis = 0; axis < 3; ++axis) query_points_ls_[4 * i + axis] = float(p[axis]);
         query_points_ls_[4 * i + 3] = 0.f;
     }
+    query_width_ = float(receiver_width);
     query_.touch();
     graph_.run(goals.transmittance);
     return transmittance_;

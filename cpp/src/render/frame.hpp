@@ -14,7 +14,7 @@ namespace opacity::render {
 struct FrameInputs {
     const Scene& scene;
     const Camera& camera;
-    Technique& technique;
+    const std::shared_ptr<Technique>& technique;
     const RenderSettings& settings;
     const float4& background;
 };
@@ -24,7 +24,9 @@ class Frame {
     explicit Frame(GlDevice& device) : device_{device}, graph_{device} {}
 
     void render(const FrameInputs& inputs, std::span<float> rgba);
-    std::vector<float> transmittance(const FrameInputs& inputs, const Positions& world_points);
+    // A receiver of this strand width, in world units; 0 for a surface.
+    std::vector<float> transmittance(const FrameInputs& inputs, const Positions& world_points,
+                                     double receiver_width);
     FrameGraph& graph() { return graph_; }
     const double4x4& light_from_world() const { return light_.from_world(); }
 
@@ -39,15 +41,20 @@ class Frame {
     // `look_up_shader` defines shadow_transmittance, and takes what `lookup` feeds.
     Texture& add_lighting(const FrameInputs& inputs, const Reads& lookup,
                           const std::string& look_up_shader);
+    // Points from `first` on, as many as fit one storage buffer.
+    void ask(PassContext& context, Buffer& points, Buffer& result, std::size_t first);
     Buffer& add_transmittance(const Reads& lookup, const std::string& look_up_shader);
 
     GlDevice& device_;
+    // The passes declared last refer to its parameters.
+    std::shared_ptr<Technique> technique_;
     SceneLists lists_;
     LightFit fit_;
     View light_{"light"}, camera_{"camera"};
-    UniformSet lamp_{"light_color"}, background_{"background"};
+    UniformSet lamp_{"light_color"};
     UniformSet query_{"query_points"};
     std::vector<float> query_points_ls_;  // four floats a point
+    float query_width_ = 0.f;
     std::vector<float> transmittance_;
     FrameGraph graph_;  // last: it frees its resources while the rest is alive
 };

@@ -25,8 +25,6 @@ unsigned internal_format(Format format) {
             return GL_DEPTH_COMPONENT32F;
         case Format::r32f:
             return GL_R32F;
-        case Format::rg32f:
-            return GL_RG32F;
         case Format::r32ui:
             return GL_R32UI;
         default:
@@ -57,8 +55,8 @@ void GlDevice::allocate(const Resource& resource) {
                                desc.height * factor,
                                std::max(desc.layers, 1)};
         };
-        Image image{make(1), nullptr};
-        if (desc.oversampling > 1)
+        Image image{make(content_scale(desc)), nullptr};
+        if (desc.oversampling > content_scale(desc))
             image.samples = std::make_unique<gl::Texture>(make(desc.oversampling));
         images_.emplace(resource.name(), std::move(image));
     } else {
@@ -225,6 +223,11 @@ void GlDevice::resolve(const Pass& pass) {
         gl().DispatchCompute(GLuint(desc.width + 7) / 8, GLuint(desc.height + 7) / 8, 1);
         gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     }
+}
+
+void GlDevice::zero(const Resource& resource) {
+    const auto image = images_.find(resource.name());
+    image != images_.end() ? image->second.texture.clear() : buffers_.at(resource.name()).clear();
 }
 
 void GlDevice::write(const Resource& resource, std::span<const std::byte> content) {

@@ -28,6 +28,7 @@ class GlDevice : public Device {
     void clear(const Pass& pass) override;
     void draw(const Pass& pass) override;
     void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) override;
+    void zero(const Resource& resource) override;
     void write(const Resource& resource, std::span<const std::byte> content) override;
     void read(const Resource& resource, std::span<std::byte> content) override;
     void finish() override;

@@ -45,7 +45,6 @@ std::vector<float> padded(const std::vector<float3>& vectors) {
 const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     const Shape& shape = *shape_ptr;
     const auto lock = shape.lock();
-    const Shape::Revisions& now = shape.revisions();
     GpuShape& gpu = shapes_[&shape];
     // Another shape at the address of one that is gone: no revision of it can match.
     gpu.shape = shape_ptr;
@@ -54,9 +53,17 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     gpu.receives = shape.receives();
     gpu.opaque = shape.opaque();
     const auto* strands = dynamic_cast<const Strands*>(&shape);
-    const auto* mesh = dynamic_cast<const Mesh*>(&shape);
+    gpu.receiver_width = strands ? gpu.width_scale * strands->mean_width() : 0.f;
+    upload_geometry(gpu, shape);
+    upload_appearance(gpu, shape);
+    return gpu;
+}
 
-    refresh(gpu.points, now.geometry, [&] {
+void GpuShapes::upload_geometry(GpuShape& gpu, const Shape& shape) const {
+    const Revision now = shape.revisions().geometry;
+    const auto* strands = dynamic_cast<const Strands*>(&shape);
+    const auto* mesh = dynamic_cast<const Mesh*>(&shape);
+    refresh(gpu.points, now, [&] {
         const Box bounds = shape.points().bounds();
         gpu.origin = bounds.empty() ? double3{} : bounds.center();
         static const std::vector<float> no_width = {0.f};
@@ -64,30 +71,31 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
                                          gpu.origin, strands ? strands->width() : no_width));
     });
     if (strands)
-        refresh(gpu.segments, now.geometry, [&] {
+        refresh(gpu.segments, now, [&] {
             gpu.segment_count = int(strands->segments().size());
             return make_buffer(context_, strands->segments());
         });
     if (mesh)
-        refresh(gpu.normals, now.geometry,
-                [&] { return make_buffer(context_, padded(mesh->normals())); });
-    refresh(gpu.triangles, now.geometry, [&] {
+        refresh(gpu.normals, now, [&] { return make_buffer(context_, padded(mesh->normals())); });
+    refresh(gpu.triangles, now, [&] {
         const std::vector<std::uint32_t> indices =
             mesh ? mesh->triangles() : ribbon_triangles(strands->segments().size());
         gpu.index_count = int(indices.size());
         return make_buffer(context_, indices);
     });
-    refresh(gpu.opacity, now.opacity, [&] {
+}
+
+void GpuShapes::upload_appearance(GpuShape& gpu, const Shape& shape) const {
+    refresh(gpu.opacity, shape.revisions().opacity, [&] {
         gpu.opacity_stride = shape.opacity().size() > 1 ? 1 : 0;
         return make_buffer(context_, shape.opacity());
     });
-    refresh(gpu.color, now.color, [&] {
+    refresh(gpu.color, shape.revisions().color, [&] {
         gpu.color_stride = shape.color().size() > 1 ? 1 : 0;
         std::vector<float> flat;
         for (const float3& c : shape.color()) flat.insert(flat.end(), c.begin(), c.end());
         return make_buffer(context_, flat);
     });
-    return gpu;
 }
 
 void GpuShapes::collect() {

@@ -25,6 +25,7 @@ struct GpuShape {
     // Copied while the shape is locked, so that another thread may move it meanwhile.
     double4x4 transform = identity;
     float width_scale = 1.f;
+    float receiver_width = 0.f;  // world units; 0 for a surface
     bool receives = true, opaque = false;
 };
 
@@ -37,6 +38,9 @@ class GpuShapes {
     void collect();
 
    private:
+    void upload_geometry(GpuShape& gpu, const Shape& shape) const;
+    void upload_appearance(GpuShape& gpu, const Shape& shape) const;
+
     std::shared_ptr<gl::Context> context_;
     std::map<const Shape*, GpuShape> shapes_;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "opacity/scene/strands.hpp"
+#include "opacity/scene/mesh.hpp"
 
 namespace opacity::render {
 namespace {
@@ -49,9 +49,8 @@ Box crop(const Box& casters, const Box& receivers) {
 // Surfaces are moved back by up to eight texels (lib/deposit.glsl), and must stay inside the range.
 constexpr double surface_margin_texels = 10.0;
 
-double world_width(const Shape& shape) {
-    const auto* strands = dynamic_cast<const Strands*>(&shape);
-    return strands ? strands->mean_width() * shape.scale() : 0.0;
+bool is_surface(const Shape& shape) {
+    return dynamic_cast<const Mesh*>(&shape) != nullptr;
 }
 
 }  // namespace
@@ -66,8 +65,7 @@ Box LightFit::caster_box(const Shape& shape, const double4x4& rotation, const do
     for (std::size_t i = 0; i < shape.points().size(); ++i)
         box.extend(
             transform_point(rotation, transform_point(shape.transform(), shape.points()[i])));
-    const Box local = shape.local_bounds(), points = shape.points().bounds();
-    const double pad = local.empty() ? 0.0 : (points.min[0] - local.min[0]) * shape.scale();
+    const double pad = shape.margin() * shape.scale();
     cached = {now.geometry, now.transform, direction, box.padded(pad)};
     return cached.box;
 }
@@ -75,17 +73,16 @@ Box LightFit::caster_box(const Shape& shape, const double4x4& rotation, const do
 void LightFit::update(View& view, const Scene& scene, const DirectionalLight& light,
                       int map_size_px, const Box& query) {
     const double4x4 rotation = rotation_to(light.direction());
-    Box casters, receivers = query.transformed(rotation), casters_in_world;
-    double widest = 0.0;
+    Box casters, receivers = query.transformed(rotation);
+    Box translucent_in_world, opaque_in_world;
     bool surfaces = false;
     for (const ShapePtr& shape : scene.shapes()) {
         const auto lock = shape->lock();
         const bool casts = shape->casts() && !shape->invisible_to_light();
         if (casts) {
             casters.extend(caster_box(*shape, rotation, light.direction()));
-            casters_in_world.extend(shape->bounds());
-            widest = std::max(widest, world_width(*shape));
-            surfaces |= shape->kind() == std::string{"mesh"};
+            (shape->opaque() ? opaque_in_world : translucent_in_world).extend(shape->bounds());
+            surfaces |= is_surface(*shape);
         }
         if (shape->receives()) receivers.extend(shape->bounds().transformed(rotation));
     }
@@ -94,6 +91,7 @@ void LightFit::update(View& view, const Scene& scene, const DirectionalLight& li
                             [&](const ShapePtr& shape) { return shape.get() == entry.first; });
     });
     Box box = crop(casters, receivers);
+    if (box.empty()) box = casters;  // no receiver in their shadow
     if (box.empty()) box = {{0, 0, 0}, {1, 1, 1}};  // nothing casts: any map will do
 
     const double border = map_size_px >= 4 ? 1.0 : 0.0;
@@ -113,11 +111,14 @@ void LightFit::update(View& view, const Scene& scene, const DirectionalLight& li
         for (int column = 0; column < 3; ++column) from_world[4 * row + column] *= scale[row];
         from_world[4 * row + 3] = offset[row] - origin[row] * scale[row];
     }
-    const double auto_bias = std::max(widest, 1e-4 * casters_in_world.radius());
+    // Of what lets light through: a wide opaque ground must not widen the bias within hair.
+    const Box& extent_in_world =
+        translucent_in_world.empty() ? opaque_in_world : translucent_in_world;
+    const double least_bias = std::max(1e-4 * extent_in_world.radius(), 1e-30);
     view.update(from_world, {{"u_light_map_size_px", map_size_px},
                              {"u_light_depth_range", float(range)},
                              {"u_light_texels_per_unit", float(texels_per_unit)},
-                             {"u_light_auto_bias", float(auto_bias)}});
+                             {"u_light_least_bias", float(least_bias)}});
 }
 
 }  // namespace opacity::render

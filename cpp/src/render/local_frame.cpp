@@ -45,6 +45,7 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
     feed_buffer("normals", gpu.normals);
     feeder.uniform("u_segment_count", gpu.segment_count);
     feeder.uniform("u_width_scale", gpu.width_scale);
+    feeder.uniform("u_receiver_width", gpu.receiver_width);
     if (declared(pass, pass.draws->opacity)) {
         feed_buffer("opacity", gpu.opacity);
         feeder.uniform("u_opacity_stride", gpu.opacity_stride);

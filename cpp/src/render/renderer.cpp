@@ -5,12 +5,31 @@
 #include <numbers>
 
 #include "opacity/core/error.hpp"
+#include "opacity/scene/strands.hpp"
 #include "render/frame.hpp"
 #include "render/gl_device.hpp"
 #include "render/light_fit.hpp"
 #include "render/scene_lists.hpp"
 
 namespace opacity {
+namespace {
+
+// Of the scene's strands, each point counted once, in world units: what a point of unknown kind is
+// taken to lie on.
+double mean_strand_width(const Scene& scene) {
+    double sum = 0.0, points = 0.0;
+    for (const ShapePtr& shape : scene.shapes()) {
+        const auto* strands = dynamic_cast<const Strands*>(shape.get());
+        if (!strands) continue;
+        const auto lock = strands->lock();
+        if (!strands->casts() || strands->invisible_to_light()) continue;
+        sum += double(strands->points().size()) * strands->mean_width() * strands->scale();
+        points += double(strands->points().size());
+    }
+    return points > 0.0 ? sum / points : 0.0;
+}
+
+}  // namespace
 
 struct Renderer::Impl {
     std::shared_ptr<Scene> scene;
@@ -20,7 +39,7 @@ struct Renderer::Impl {
     RenderSettings settings;
     float4 background{0.f, 0.f, 0.f, 0.f};
 
-    // Made and destroyed with the context current, in this order and its reverse.
+    // Made with the context current; what they own may be freed without it (gl/object.hpp).
     std::unique_ptr<render::GlDevice> device;
     std::unique_ptr<render::Frame> frame;
 
@@ -35,14 +54,18 @@ struct Renderer::Impl {
         device = std::make_unique<render::GlDevice>(context);
         frame = std::make_unique<render::Frame>(*device);
     }
-    ~Impl() {
-        // Objects that die without their context are queued and freed with it (gl/object.hpp).
-        frame.reset();
-        device.reset();
-    }
+    render::FrameInputs inputs() const { return {*scene, camera, technique, settings, background}; }
 
-    render::FrameInputs inputs() const {
-        return {*scene, camera, *technique, settings, background};
+    std::vector<float> transmittance(const Positions& world_points, int light,
+                                     double receiver_width) {
+        check_light(light);
+        const std::size_t bad = world_points.first_bad();
+        if (bad < world_points.size())
+            throw ParameterError(
+                "points[" + std::to_string(bad) + "] is not finite, or larger than 1e18",
+                "remove or repair the point");
+        const gl::Context::Use use{*context};
+        return frame->transmittance(inputs(), world_points, receiver_width);
     }
 
     void check_light(int light) const {
@@ -132,13 +155,23 @@ void Renderer::render(std::span<float> rgba) {
 }
 
 std::vector<float> Renderer::transmittance(const Positions& world_points, int light) {
-    impl_->check_light(light);
-    const std::size_t bad = world_points.first_bad();
-    if (bad < world_points.size())
-        throw ParameterError("points[" + std::to_string(bad) + "] is not finite",
-                             "remove or repair the point");
-    const gl::Context::Use use{*impl_->context};
-    return impl_->frame->transmittance(impl_->inputs(), world_points);
+    return impl_->transmittance(world_points, light, mean_strand_width(*impl_->scene));
+}
+
+std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
+    const auto* strands = dynamic_cast<const Strands*>(&shape);
+    std::vector<double> world_points;
+    double width = 0.0;
+    {
+        const auto lock = shape.lock();
+        world_points.reserve(3 * shape.points().size());
+        for (std::size_t i = 0; i < shape.points().size(); ++i) {
+            const double3 p = transform_point(shape.transform(), shape.points()[i]);
+            world_points.insert(world_points.end(), p.begin(), p.end());
+        }
+        if (strands) width = strands->mean_width() * strands->scale();
+    }
+    return impl_->transmittance(Positions{std::move(world_points)}, light, width);
 }
 
 double4x4 Renderer::light_from_world() const {
@@ -147,8 +180,8 @@ double4x4 Renderer::light_from_world() const {
 const Report& Renderer::report() const {
     return impl_->frame->graph().report();
 }
-std::string Renderer::dot() const {
-    return impl_->frame->graph().dot();
+std::string Renderer::graph_dot() const {
+    return impl_->frame->graph().graph_dot();
 }
 void Renderer::invalidate() {
     impl_->frame->graph().invalidate();
@@ -164,7 +197,9 @@ TextureContent Renderer::read(const std::string& name) const {
     const gl::Context::Use use{*impl_->context};
     const Texture& texture = impl_->frame->graph().find(name);
     const TextureDesc& desc = texture.desc();
-    TextureContent content{desc.width, desc.height, desc.layers, channels(desc.format), {}};
+    const int scale = content_scale(desc);
+    TextureContent content{
+        scale * desc.width, scale * desc.height, desc.layers, channels(desc.format), {}};
     std::vector<std::uint32_t> words(size_bytes(desc) / 4);
     impl_->device->read(texture, std::as_writable_bytes(std::span{words}));
     content.values.resize(words.size());

@@ -1,6 +1,7 @@
 #include "opacity/scene/camera.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
 

@@ -1,26 +1,21 @@
 #include "scene/check.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "core/number_text.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/scene/positions.hpp"
 
 namespace opacity {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what, double value, const Allowed& allowed) {
+template <class Number>
+[[noreturn]] void refuse(const std::string& what, Number value, const Allowed& allowed) {
     throw ParameterError(what + " = " + number_text(value) + " is not " + allowed.words,
                          std::string{"pass values that are "} + allowed.words);
 }
 
 }  // namespace
-
-std::string number_text(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
 
 std::size_t first_refused(std::span<const float> values, const Allowed& allowed) {
     const auto bad = std::find_if_not(values.begin(), values.end(), allowed);
@@ -35,6 +30,10 @@ void check_values(const char* name, std::span<const float> values, const Allowed
 }
 
 void check_value(const char* name, double value, const Allowed& allowed) {
+    if (!allowed(value)) refuse(name, value, allowed);
+}
+
+void check_value(const char* name, float value, const Allowed& allowed) {
     if (!allowed(value)) refuse(name, value, allowed);
 }
 

@@ -20,9 +20,9 @@ struct Allowed {
 inline constexpr double largest_float = std::numeric_limits<float>::max();
 inline constexpr Allowed unit_interval{0.0, 1.0, "in 0..1"};
 inline constexpr Allowed not_negative{0.0, largest_float, "finite and at least 0"};
+// Of a colour, and of the factor of one: products of three stay far from float's end.
+inline constexpr Allowed brightness{0.0, 1e9, "in 0..1e9"};
 inline constexpr Allowed any_finite{-largest_float, largest_float, "finite"};
-
-std::string number_text(double value);
 
 // The index of the first value that is not allowed, or values.size().
 std::size_t first_refused(std::span<const float> values, const Allowed& allowed);
@@ -31,6 +31,7 @@ std::size_t first_refused(std::span<const float> values, const Allowed& allowed)
 void check_values(const char* name, std::span<const float> values, const Allowed& allowed,
                   std::size_t width = 1);
 void check_value(const char* name, double value, const Allowed& allowed);
+void check_value(const char* name, float value, const Allowed& allowed);
 // For points and directions: every coordinate at most max_coordinate in size.
 void check_vector(const char* name, const double3& vector);
 

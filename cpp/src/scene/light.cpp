@@ -36,12 +36,12 @@ void DirectionalLight::set_direction(double3 direction) {
 }
 
 void DirectionalLight::set_color(float3 color) {
-    check_values("light color", color, not_negative);
+    check_values("light color", color, brightness);
     color_ = color;
 }
 
 void DirectionalLight::set_intensity(float intensity) {
-    check_value("light intensity", intensity, not_negative);
+    check_value("light intensity", intensity, brightness);
     intensity_ = intensity;
 }
 

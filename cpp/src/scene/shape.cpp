@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
+#include <utility>
+#include <variant>
 
+#include "core/number_text.hpp"
 #include "opacity/core/error.hpp"
 #include "scene/check.hpp"
 
@@ -73,7 +78,7 @@ Shape::Shape(Positions points, std::vector<float> opacity, std::vector<float3> c
     point_bounds_ = points_.bounds();
     assign_opacity(std::move(opacity));
     check_attribute_size("color", color.size());
-    check_values("color", flat(color), not_negative, 3);
+    check_values("color", flat(color), brightness, 3);
     color_ = std::move(color);
 }
 
@@ -113,7 +118,7 @@ void Shape::set_opacity(std::vector<float> opacity) {
 }
 
 void Shape::set_color(std::vector<float3> color) {
-    check_values("color", flat(color), not_negative, 3);
+    check_values("color", flat(color), brightness, 3);
     const auto held = lock();
     check_attribute_size("color", color.size());
     color_ = std::move(color);

@@ -1,6 +1,7 @@
 #include "opacity/scene/strands.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <string>
 

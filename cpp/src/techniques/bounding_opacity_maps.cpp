@@ -46,21 +46,22 @@ std::vector<float> sample_profiles(const std::vector<float>& targets, std::size_
 
 Reads BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     const Bounds bounds = add_bounds(graph, inputs);
+    auto& planes = graph.value("planes", std::vector<float>{});
     if (split.is("auto") && layers.get() > 1)
-        add_search(graph, inputs, bounds);
+        add_search(graph, inputs, bounds, planes);
     else
-        choose_planes(split.is("logarithmic") ? 1.0 : split.is("hybrid") ? split_ratio.get() : 0.0);
-    Texture& opacity =
-        add_layers(graph, inputs, bounds, "opacity", layers.get(), {&layers, &planes_});
-    return {&bounds.start, &bounds.end, &opacity, &layers, &planes_};
+        planes.set(layer_planes(layers.get(), fixed_ratio()));
+    Texture& opacity = add_layers(graph, inputs, bounds, "opacity", {layers, planes, layers.get()});
+    return look_up(inputs, {&bounds.start, &bounds.end, &opacity, &layers, &planes});
 }
 
-void BoundingOpacityMaps::choose_planes(double ratio) {
-    planes_.set(layer_planes(layers.get(), ratio));
+// One layer has no plane to place.
+double BoundingOpacityMaps::fixed_ratio() const {
+    return split.is("logarithmic") ? 1.0 : split.is("hybrid") ? split_ratio.get() : 0.0;
 }
 
 BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph,
-                                                            const ShadowInputs& inputs) {
+                                                            const ShadowInputs& inputs) const {
     Texture& start = graph.texture("start", inputs.map(Format::depth32f));
     Texture& end = graph.texture("end", inputs.map(Format::depth32f));
     const Shader shader = inputs.caster_shader("bounds.frag.glsl", false);
@@ -84,11 +85,11 @@ BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph,
 
 Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
                                          const Bounds& bounds, const std::string& name,
-                                         int plane_count, const Reads& planes, Defines defines) {
-    const int target_count = (plane_count + planes_per_target - 1) / planes_per_target;
+                                         const Planes& planes, const Defines& defines) const {
+    const int target_count = (planes.count + planes_per_target - 1) / planes_per_target;
     Texture& map = graph.texture(name, inputs.map(Format::rgba32f, target_count));
-    Reads reads = inputs.caster_reads(true, planes);
-    reads.insert(reads.end(), {&bounds.start, &bounds.end});
+    const Reads reads =
+        inputs.caster_reads(true, {&planes.layers, &planes.planes, &bounds.start, &bounds.end});
     for (int first = 0; first < target_count; first += targets_per_pass) {
         const int count = std::min(targets_per_pass, target_count - first);
         std::vector<Target> writes;
@@ -112,25 +113,29 @@ Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& 
 }
 
 void BoundingOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs,
-                                     const Bounds& bounds) {
-    const int fine_layers = fine_layer_count(inputs.map_size_px);
-    fine_layers_.set(fine_layers);
-    fine_planes_.set(layer_planes(fine_layers, fine_ratio));
+                                     const Bounds& bounds,
+                                     Value<std::vector<float>>& planes) const {
+    const int count = fine_layer_count(inputs.map_size_px);
+    auto& fine_layers = graph.value("fine/layers", 0);
+    auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
+    fine_layers.set(count);
+    fine_planes.set(layer_planes(count, fine_ratio));
     const int block_stride = std::max(1, inputs.map_size_px / sampled_size_px);
     Texture& histogram =
-        add_layers(graph, inputs, bounds, "histogram", fine_layers, {&fine_layers_, &fine_planes_},
+        add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
                    {{"BLOCK_STRIDE", std::to_string(block_stride)}});
     graph.add(
         {.name = "split_search",
          .only_with = &inputs.translucent,
-         .reads = {&histogram, &layers, &search_request_},
-         .values = {&planes_},
-         .execute = [this, &histogram, fine_layers](PassContext& context) {
+         .reads = {&histogram, &fine_planes, &layers, &search_request_},
+         .values = {&planes},
+         .execute = [this, &histogram, &fine_planes, &planes](PassContext& context) {
              const TextureDesc& map = histogram.desc();
              const std::vector<float> profiles = sample_profiles(
-                 context.read<float>(histogram), std::size_t(map.width) * map.height, fine_layers);
-             const double ratio = find_split_ratio({fine_planes_.get(), profiles}, layers.get());
-             context.set(planes_, layer_planes(layers.get(), ratio));
+                 context.read<float>(histogram), std::size_t(map.width) * map.height,
+                 int(fine_planes.get().size()) - 1);
+             const double ratio = find_split_ratio({fine_planes.get(), profiles}, layers.get());
+             context.set(planes, layer_planes(layers.get(), ratio));
              char text[32];
              std::snprintf(text, sizeof text, "split ratio %.1f", ratio);
              context.note(text);

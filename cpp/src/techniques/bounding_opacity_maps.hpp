@@ -46,17 +46,21 @@ class BoundingOpacityMaps : public Technique {
     struct Bounds {
         Texture &start, &end;
     };
-    Bounds add_bounds(FrameGraph& graph, const ShadowInputs& inputs);
-    // Passes that draw cumulative optical depth at the planes given into one array texture.
+    // K planes of [0, 1], and their number, as lib/planes.glsl reads them.
+    struct Planes {
+        const Source& layers;
+        Value<std::vector<float>>& planes;
+        int count;
+    };
+    double fixed_ratio() const;
+    Bounds add_bounds(FrameGraph& graph, const ShadowInputs& inputs) const;
+    // Passes that draw cumulative optical depth at the planes into one array texture.
     Texture& add_layers(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
-                        const std::string& name, int plane_count, const Reads& planes,
-                        Defines defines = {});
-    void add_search(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds);
-    void choose_planes(double ratio);
+                        const std::string& name, const Planes& planes,
+                        const Defines& defines = {}) const;
+    void add_search(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
+                    Value<std::vector<float>>& planes) const;
 
-    Value<std::vector<float>> planes_{"planes", {0.f, 1.f}};
-    Value<std::vector<float>> fine_planes_{"planes", {0.f, 1.f}};
-    Value<int> fine_layers_{"layers", 1};
     UniformSet search_request_{"needs_recompute"};
 };
 

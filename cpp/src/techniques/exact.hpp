@@ -28,15 +28,12 @@ class Exact : public Technique {
    private:
     struct Lists {
         Texture &count, &first, &unsorted, &list;
+        Value<int>&fragments, &longest;
     };
-    void add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists);
-    void add_store(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists);
-    void add_sort(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists);
-    void sort(PassContext& context) const;
-    void accumulate(PassContext& context, const Lists& lists) const;
-
-    Value<int> total_{"fragments", 0};
-    Value<int> longest_{"longest_list", 0};
+    void add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
+    void add_first(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
+    void add_store(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
+    void add_sort(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
 };
 
 }  // namespace opacity::techniques

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "opacity/core/error.hpp"
+#include "opacity/core/nearest_name.hpp"
 #include "techniques/registry.hpp"
 
 namespace opacity {
@@ -18,6 +19,11 @@ Reads ShadowInputs::caster_reads(bool optical_depth, Reads more) const {
     if (optical_depth) more.push_back(&translucent.opacity);
     if (has_opaque) more.push_back(&opaque_depth);
     return more;
+}
+
+Reads Technique::look_up(const ShadowInputs& inputs, Reads reads) const {
+    reads.insert(reads.end(), {&inputs.light, &inputs.opaque_depth, &bias});
+    return reads;
 }
 
 std::vector<std::string> technique_names() {

@@ -22,13 +22,8 @@ _VARIABLES = (
 
 def add_to(commands: Any) -> None:
     """The command's options."""
-    parser = commands.add_parser(
-        "doctor",
-        help="tell which OpenGL this machine gives, and what is missing",
-        description="Tell which OpenGL this machine gives, and which package is missing.",
-    )
-    parser.set_defaults(run=run)
-    parser.add_argument("--json", action="store_true", help="print it as JSON")
+    summary = "tell which OpenGL this machine gives, and which package is missing"
+    text.add_command(commands, "doctor", run, summary)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -12,14 +12,9 @@ from pyopacity.cli import text
 
 def add_to(commands: Any) -> None:
     """The command's options."""
-    parser = commands.add_parser(
-        "info",
-        help="tell what is in a file",
-        description="Tell what is in files: shapes, counts, bounds, widths, opacities.",
-    )
-    parser.set_defaults(run=run)
+    summary = "tell what is in files: shapes, counts, bounds, widths, opacities"
+    parser = text.add_command(commands, "info", run, summary)
     parser.add_argument("files", nargs="+", metavar="FILE", help=".hair, .obj, demo:hair")
-    parser.add_argument("--json", action="store_true", help="print it as JSON")
 
 
 def run(arguments: argparse.Namespace) -> int:

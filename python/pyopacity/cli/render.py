@@ -23,11 +23,7 @@ _VIEW_DIRECTION: Vector = (0.3, 1.0, -0.25)
 
 def add_to(commands: Any) -> None:
     """The command's options."""
-    parser = commands.add_parser(
-        "render", help="render files to a picture", description="Render files to one picture."
-    )
-    parser.set_defaults(run=run)
-    add = parser.add_argument
+    add = text.add_command(commands, "render", run, "render files to one picture").add_argument
     add("files", nargs="+", metavar="FILE", help=".hair, .obj, demo:hair; all go into one scene")
     add("-o", "--output", required=True, metavar="PICTURE", help="the picture: .png or .npy")
     _add_light_and_view(add)
@@ -37,7 +33,6 @@ def add_to(commands: Any) -> None:
         add(option, metavar="N", help=describe(setting).replace("%", "%%"))
     add("--report", metavar="FILE", help="write what each pass did as JSON; - prints a table")
     add("--print-report", action="store_true", help="print what each pass did as a table")
-    add("--json", action="store_true", help="print the result, passes included, as JSON")
 
 
 def _add_light_and_view(add: Any) -> None:

@@ -9,13 +9,8 @@ from pyopacity.cli import text
 
 def add_to(commands: Any) -> None:
     """The command's options."""
-    parser = commands.add_parser(
-        "techniques",
-        help="list the shadow methods and their parameters",
-        description="List the shadow methods and their parameters: type, range, default.",
-    )
-    parser.set_defaults(run=run)
-    parser.add_argument("--json", action="store_true", help="print them as JSON")
+    summary = "list the shadow methods and their parameters: type, range, default"
+    text.add_command(commands, "techniques", run, summary)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -1,8 +1,9 @@
 """What commands read from the command line as text, and how they write for people and programs."""
 
+import argparse
 import json
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from pyopacity import ParameterError
@@ -10,6 +11,17 @@ from pyopacity import ParameterError
 Vector = tuple[float, float, float]
 
 _AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+
+def add_command(
+    commands: Any, name: str, run: Callable[[argparse.Namespace], int], summary: str
+) -> argparse.ArgumentParser:
+    """A subcommand with what all of them have: a summary, what runs it, and ``--json``."""
+    sentence = f"{summary[0].upper()}{summary[1:]}."
+    parser: argparse.ArgumentParser = commands.add_parser(name, help=summary, description=sentence)
+    parser.set_defaults(run=run)
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
+    return parser
 
 
 def numbers(option: str, text: str, counts: tuple[int, ...], example: str) -> tuple[float, ...]:

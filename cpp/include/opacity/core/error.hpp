@@ -1,4 +1,5 @@
-// Every failure that a user can cause: what was wrong, and how to fix it. An error without a fix does not compile.
+// Every failure that a user can cause: what was wrong, and how to fix it. An error without a fix
+// does not compile.
 #pragma once
 
 #include <exception>
@@ -10,7 +11,9 @@ namespace opacity {
 class Error : public std::exception {
    public:
     Error(std::string problem, std::string fix)
-        : problem_{std::move(problem)}, fix_{std::move(fix)}, message_{problem_ + "\n  fix: " + fix_} {}
+        : problem_{std::move(problem)},
+          fix_{std::move(fix)},
+          message_{problem_ + "\n  fix: " + fix_} {}
 
     const char* what() const noexcept override { return message_.c_str(); }
     const std::string& problem() const noexcept { return problem_; }

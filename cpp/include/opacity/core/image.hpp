@@ -1,6 +1,7 @@
 // A picture: rows from the top, linear RGBA float32, premultiplied.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <vector>
 

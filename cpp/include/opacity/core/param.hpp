@@ -1,12 +1,13 @@
-// A parameter stands in one line of its owner:
+// A parameter is one line of its owner, which gives range check, docs, Python attribute, uniform,
+// revision and command-line option:
 //     Param<int> layers{*this, "layers", 16, {1, 64}, "Opacity layers between the two bounds."};
-// and that line gives the range check, the docs, the Python attribute, the uniform u_layers, the revision
-// and the command-line option.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,12 +30,12 @@ class ParamBase : public Source {
     virtual std::string range() const = 0;  // "1..64"
     virtual ParamValue value() const = 0;
     virtual ParamValue default_value() const = 0;
-    // ParameterError for the wrong type or a value outside the range.
-    virtual void assign(const ParamValue& value) = 0;
+    virtual void assign(const ParamValue& value) = 0;  // ParameterError for what does not fit
 
    protected:
-    [[noreturn]] void reject(const ParamValue& value) const;
-    const ParamOwner& owner() const noexcept { return owner_; }
+    // "technique.layers = 400 is outside 1..64": `problem` is what follows "is".
+    [[noreturn]] void reject(const ParamValue& value, const std::string& problem) const;
+    [[noreturn]] void reject_type(const ParamValue& value) const;
 
    private:
     ParamOwner& owner_;
@@ -55,7 +56,7 @@ class ParamOwner {
     ParamBase& param(std::string_view name) const;
 
    private:
-    friend class ParamBase;
+    friend class ParamBase;  // enters itself
     std::string name_;
     std::vector<ParamBase*> params_;
 };
@@ -64,7 +65,6 @@ template <class T>
 struct Range {
     T min, max;
 };
-
 template <class T>  // int or double
 class Param : public ParamBase {
    public:
@@ -141,11 +141,10 @@ class AutoParam : public ParamBase {
     void feed(Feeder& feeder) const override { feeder.uniform("u_" + name(), float(value_)); }
 
    private:
+    std::string number_range() const;
+
     double value_ = -1.0;
     Range<double> range_;
 };
-
-// The candidate that takes the fewest edits to reach from `name`; empty when there is none.
-std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace opacity

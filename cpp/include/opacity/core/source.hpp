@@ -1,11 +1,12 @@
-// A Source is anything that a pass can read. Its revision moves when, and only when, its content does;
-// the frame graph runs a pass again only when the revision of a declared read has moved.
+// A Source is anything that a pass can read. Its revision moves when, and only when, its content
+// does; the frame graph runs a pass again only when the revision of a declared read has moved.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,7 +21,8 @@ class Resource;
 
 using UniformValue = std::variant<int, float, bool, std::vector<float>>;
 
-// What a program takes its inputs from. A float vector of 2, 3, 4 fills a vector, any other size an array.
+// What a program takes its inputs from. A float vector of 2, 3, 4 fills a vector, any other size an
+// array.
 class Feeder {
    public:
     virtual ~Feeder() = default;
@@ -36,6 +38,8 @@ class Source {
     virtual ~Source() = default;
 
     const std::string& name() const noexcept { return name_; }
+    // The name in GLSL, without u_, t_, i_ or b_: "bounding_opacity_maps/start" is called start.
+    std::string shader_name() const { return name_.substr(name_.rfind('/') + 1); }
     Revision revision() const noexcept { return revision_; }
     // Content that other code changed in place.
     void touch() noexcept { revision_ = next_revision(); }
@@ -48,7 +52,8 @@ class Source {
     Revision revision_ = next_revision();
 };
 
-// A value that the CPU computes. Setting what it already holds moves nothing: everything after it stays cached.
+// A value that the CPU computes. Setting what it already holds moves nothing: everything after it
+// stays cached.
 template <class T>
 class Value : public Source {
    public:
@@ -60,7 +65,9 @@ class Value : public Source {
         value_ = std::move(value);
         touch();
     }
-    void feed(Feeder& feeder) const override { feeder.uniform("u_" + name(), UniformValue{value_}); }
+    void feed(Feeder& feeder) const override {
+        feeder.uniform("u_" + shader_name(), UniformValue{value_});
+    }
 
    private:
     T value_;

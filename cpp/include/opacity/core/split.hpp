@@ -25,10 +25,11 @@ struct OpticalDepthProfiles {
     std::size_t texel_count() const { return values.size() / (planes.size() - 1); }
 };
 
-// How well K layers at this ratio rebuild the profiles for receivers that lie where casters are: the
-// RMSE of T at the middle of each fine cell, weighted by the cell's optical depth, against the mean of
-// T in front of the fragments in the cell, since none of them counts itself. Sums in float64. Against
-// T behind the cell, which counts the receiver, the measure prefers ratios near 1 whatever the scene.
+// How well K layers at this ratio rebuild the profiles for receivers that lie where casters are:
+// the RMSE of T at the middle of each fine cell, weighted by the cell's optical depth, against the
+// mean of T in front of the fragments in the cell, since none of them counts itself. Sums in
+// float64. Against T behind the cell, which counts the receiver, the measure prefers ratios near 1
+// whatever the scene.
 double split_error(const OpticalDepthProfiles& profiles, int layers, double ratio);
 // Of the ratios 0, .1, .. 1 the one with the least split_error; the smallest of equals.
 double find_split_ratio(const OpticalDepthProfiles& profiles, int layers);

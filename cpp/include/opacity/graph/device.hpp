@@ -25,6 +25,7 @@ class Device {
     virtual void draw(const Pass& pass) = 0;
     virtual void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) = 0;
 
+    virtual void zero(const Resource& resource) = 0;
     virtual void write(const Resource& resource, std::span<const std::byte> content) = 0;
     virtual void read(const Resource& resource, std::span<std::byte> content) = 0;
     virtual void finish() = 0;

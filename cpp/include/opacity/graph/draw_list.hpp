@@ -1,5 +1,5 @@
-// Shapes that a pass draws, in three parts with a revision each, so that a pass which reads only where
-// the shapes are does not run again when their colour changes.
+// Shapes that a pass draws, in three parts with a revision each, so that a pass which reads only
+// where the shapes are does not run again when their colour changes.
 #pragma once
 
 #include <string>
@@ -14,7 +14,6 @@ namespace opacity {
 class ShapePart : public Source {
    public:
     using Source::Source;
-    void feed(Feeder&) const override {}
     // Moves when the signature differs from the last one.
     void update(std::vector<Revision> signature);
 
@@ -25,9 +24,13 @@ class ShapePart : public Source {
 class DrawList {
    public:
     explicit DrawList(const std::string& name)
-        : geometry{name + ".geometry"}, opacity{name + ".opacity"}, color{name + ".color"}, name_{name} {}
+        : geometry{name + ".geometry"},
+          opacity{name + ".opacity"},
+          color{name + ".color"},
+          name_{name} {}
 
-    ShapePart geometry;  // points, widths, connectivity, transforms, and which shapes are in the list
+    ShapePart
+        geometry;  // points, widths, connectivity, transforms, and which shapes are in the list
     ShapePart opacity;
     ShapePart color;
 

@@ -12,6 +12,7 @@
 
 #include "opacity/graph/device.hpp"
 #include "opacity/graph/pass.hpp"
+#include "opacity/graph/pass_context.hpp"
 #include "opacity/graph/report.hpp"
 
 namespace opacity {
@@ -39,6 +40,17 @@ class FrameGraph {
     // A texture or buffer that a pass resizes when it knows how much it needs.
     Texture& growing_texture(const std::string& name, Format format);
     Buffer& buffer(const std::string& name);
+    // A value that a pass finds, or `initial` until then. The graph keeps it, so that a technique
+    // holds nothing but its parameters, and may serve several renderers.
+    template <class T>
+    Value<T>& value(const std::string& name, T initial) {
+        const std::string full_name = prefix_ + name;
+        declared_.insert(full_name);
+        std::unique_ptr<Source>& slot = values_[full_name];
+        if (!dynamic_cast<Value<T>*>(slot.get()))
+            slot = std::make_unique<Value<T>>(full_name, std::move(initial));
+        return static_cast<Value<T>&>(*slot);
+    }
     void add(Pass pass);
 
     // Runs what `goal` needs. If a pass throws, it and all after it stay to be run.
@@ -51,7 +63,7 @@ class FrameGraph {
 
     const Report& report() const noexcept { return report_; }
     // The last declarations as a Graphviz digraph.
-    std::string dot() const;
+    std::string graph_dot() const;
     // ParameterError that lists the names when there is none of this one.
     const Texture& find(const std::string& name) const;
 
@@ -84,6 +96,7 @@ class FrameGraph {
     std::vector<Pass> passes_;
     std::map<std::string, std::unique_ptr<Texture>> textures_;
     std::map<std::string, std::unique_ptr<Buffer>> buffers_;
+    std::map<std::string, std::unique_ptr<Source>> values_;
     std::set<std::string> declared_;
     std::map<std::string, Record> records_;
     // The description that a texture's storage was made for; keyed by name.
@@ -91,54 +104,6 @@ class FrameGraph {
     Revision shader_revision_ = 0;
     Report report_;
     std::function<void()> interrupt_check_;
-};
-
-// What an executing pass may do; anything it did not declare is an error that names the line to
-// add.
-class PassContext {
-   public:
-    PassContext(FrameGraph& graph, const Pass& pass) : graph_{graph}, pass_{pass} {}
-
-    void draw();
-    void dispatch(int x, int y = 1, int z = 1, const Uniforms& extra = {});
-    // A declared store gets a new size before it is written.
-    void resize(Texture& texture, const TextureDesc& desc);
-    void resize(Buffer& buffer, std::size_t size_bytes);
-    void write(const Resource& resource, std::span<const std::byte> content);
-    void zero(const Texture& texture);
-
-    // The content of a declared read.
-    template <class T>
-    std::vector<T> read(const Texture& texture) {
-        std::vector<T> content(size_bytes(texture.desc()) / sizeof(T));
-        read_bytes(texture, std::as_writable_bytes(std::span{content}));
-        return content;
-    }
-    template <class T>
-    std::vector<T> read(const Buffer& buffer) {
-        std::vector<T> content(buffer.size_bytes() / sizeof(T));
-        read_bytes(buffer, std::as_writable_bytes(std::span{content}));
-        return content;
-    }
-    // Sets a declared value; everything that reads it stays cached if it did not change.
-    template <class T>
-    void set(Value<T>& value, T content) {
-        require_value(value);
-        value.set(std::move(content));
-    }
-
-    // Shown in the report beside the pass.
-    void note(std::string text) { note_ = std::move(text); }
-
-   private:
-    friend class FrameGraph;
-    void read_bytes(const Resource& resource, std::span<std::byte> content);
-    void require_value(const Source& value) const;
-    void require_store(const Resource& resource) const;
-
-    FrameGraph& graph_;
-    const Pass& pass_;
-    std::string note_;
 };
 
 }  // namespace opacity

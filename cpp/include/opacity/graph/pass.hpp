@@ -63,4 +63,7 @@ struct Pass {
     std::function<void(PassContext&)> execute = {};
 };
 
+// Everything that moves a pass: what it declares to read, from where it draws, and which shapes.
+Reads all_reads(const Pass& pass);
+
 }  // namespace opacity

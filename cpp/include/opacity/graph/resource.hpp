@@ -1,4 +1,5 @@
-// What passes write: textures and buffers. The graph owns their names and revisions, a Device their storage.
+// What passes write: textures and buffers. The graph owns their names and revisions, a Device their
+// storage.
 #pragma once
 
 #include <cstddef>
@@ -9,25 +10,31 @@
 
 namespace opacity {
 
-enum class Format { depth32f, r32f, rg32f, rgba32f, r32ui };
+enum class Format { depth32f, r32f, rgba32f, r32ui };
 
 int channels(Format format);
 
 class Resource : public Source {
    public:
-    // "bounding_opacity_maps/start" is called t_start (sampler), i_start (image) or b_start (buffer) in GLSL.
     explicit Resource(std::string name) : Source{std::move(name)} {}
-    std::string shader_name() const { return name().substr(name().rfind('/') + 1); }
     void feed(Feeder& feeder) const override { feeder.resource(*this); }
 };
 
 struct TextureDesc {
     Format format = Format::rgba32f;
     int width = 1, height = 1;
-    int layers = 0;        // 0: a plain 2D texture; otherwise an array
-    int oversampling = 1;  // drawn at n x n samples a texel, averaged at the end of the pass
+    int layers = 0;  // 0: a plain 2D texture; otherwise an array
+    // Drawn at n x n samples a texel; colours are averaged at the end of the pass, depths stay as
+    // they are.
+    int oversampling = 1;
     bool operator==(const TextureDesc&) const = default;
 };
+
+// Texels of its content along a texel of the description: depths have no mean, and stay
+// oversampled.
+inline int content_scale(const TextureDesc& desc) {
+    return desc.format == Format::depth32f ? desc.oversampling : 1;
+}
 
 class Texture : public Resource {
    public:

@@ -7,8 +7,8 @@ namespace opacity {
 
 class DirectionalLight {
    public:
-    // The direction in which light travels (any length but 0); colour linear RGB; intensity its
-    // factor.
+    // The direction in which light travels (any length but 0); colour linear RGB and intensity,
+    // its factor, in [0, 1e9].
     explicit DirectionalLight(double3 direction = {0.5, 0.3, -0.8}, float3 color = {1.f, 1.f, 1.f},
                               float intensity = 1.f);
 

@@ -17,7 +17,6 @@ class Mesh : public Shape {
          std::vector<float3> normals = {}, std::vector<float> opacity = {1.f},
          std::vector<float3> color = {{0.7f, 0.7f, 0.7f}});
 
-    Box local_bounds() const override { return point_bounds_; }
     const char* kind() const override { return "mesh"; }
     bool opaque() const override;
 

@@ -21,14 +21,16 @@ class Shape {
     virtual ~Shape() = default;
 
     // In the shape's own coordinates, everything that it can cover: widths included.
-    virtual Box local_bounds() const = 0;
+    Box local_bounds() const { return point_bounds_.padded(margin()); }
+    // How far it reaches beyond its points, in its own units.
+    virtual double margin() const { return 0.0; }
     virtual const char* kind() const = 0;
     Box bounds() const { return local_bounds().transformed(transform_); }
 
     const Positions& points() const { return points_; }
     void set_points(Positions points);  // the number of points stays
 
-    // One value for all, or one a point. Opacity in [0, 1], colour linear RGB in [0, inf).
+    // One value for all, or one a point. Opacity in [0, 1], colour linear RGB in [0, 1e9].
     const std::vector<float>& opacity() const { return opacity_; }
     const std::vector<float3>& color() const { return color_; }
     void set_opacity(std::vector<float> opacity);

@@ -1,6 +1,7 @@
 // Hair, fur, grass: polylines with a width, drawn as ribbons that face whoever looks.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,7 +17,7 @@ class Strands : public Shape {
     Strands(Positions points, std::vector<std::int64_t> offsets, std::vector<float> width = {0.1f},
             std::vector<float> opacity = {0.3f}, std::vector<float3> color = {{0.6f, 0.4f, 0.25f}});
 
-    Box local_bounds() const override { return point_bounds_.padded(0.5 * max_width_); }
+    double margin() const override { return 0.5 * max_width_; }
     const char* kind() const override { return "strands"; }
     bool opaque() const override { return false; }
 
