@@ -51,14 +51,14 @@ def test_nothing_is_added_of_a_list_that_is_partly_wrong(tuft: Callable[..., po.
 def test_all_is_added_or_removed_or_nothing(tuft: Callable[..., po.Strands]) -> None:
     hair, other, light = tuft(), tuft(), po.DirectionalLight()
     scene = po.Scene()
-    with pytest.raises(po.ParameterError, match="item 2 .* already"):
+    with pytest.raises(po.ParameterError, match="item 2, .* already"):
         scene.add([hair, light, hair])
     assert (scene.shapes, scene.lights) == ((), ())
     scene.add([hair, light])
-    with pytest.raises(po.ParameterError, match="item 1 .* already"):
+    with pytest.raises(po.ParameterError, match="item 1, .* already"):
         scene.add([other, light])
     for several in ([hair, other], [light, light]):
-        with pytest.raises(po.ParameterError, match="item 1 .* not in the scene"):
+        with pytest.raises(po.ParameterError, match="item 1, .* not in the scene"):
             scene.remove(several)
     assert (scene.shapes, scene.lights) == ((hair,), (light,))
     scene.remove([light, hair])
