@@ -22,9 +22,11 @@ def _unknown(owner: object, name: str) -> UnknownNameError:
 def _keywords(cls: type) -> list[str] | None:
     """The keywords that a constructor takes; None where it takes any and checks them itself."""
     parameters = inspect.signature(cls).parameters.values()
-    if any(p.kind is p.VAR_KEYWORD for p in parameters):
+    more: tuple[str, ...] | None = getattr(cls, "_more_keywords", None)
+    if more is None and any(p.kind is p.VAR_KEYWORD for p in parameters):
         return None
-    return [p.name for p in parameters if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY)]
+    kinds = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
+    return [p.name for p in parameters if p.kind in kinds] + list(more or ())
 
 
 def _check_keywords(cls: type, given: Iterable[str]) -> None:

@@ -58,6 +58,9 @@ class Renderer(HasParameters):
     _camera: Camera
     _technique: Technique
 
+    # What **settings may hold.
+    _more_keywords = tuple(setting.name for setting in _native.RenderSettings().parameters())
+
     def __init__(
         self,
         scene: Scene,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import gc
 import os
 import subprocess
@@ -40,6 +41,7 @@ def nothing_left_on_the_gpu(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     contexts: list[_native.Context] = []
     make = po.Renderer.__init__
 
+    @functools.wraps(make)  # keywords are checked against the signature
     def make_and_remember(self: po.Renderer, *args: Any, **settings: Any) -> None:
         make(self, *args, **settings)
         contexts.append(self.context)

@@ -106,3 +106,10 @@ def test_a_map_of_few_texels_leaks_no_light(needs_gl):
     for size in (1, 2, 3):
         with po.Renderer(scene, technique="exact", **(OPTIONS | {"map_size": size})) as r:
             assert r.transmittance(below).max() == 0.0
+
+
+def test_a_misspelt_keyword_names_the_nearest(needs_gl):
+    with pytest.raises(po.ParameterError, match="background"):
+        po.Renderer(po.Scene(), backgruond=(0, 0, 0))
+    with pytest.raises(po.ParameterError, match="map_size"):
+        po.Renderer(po.Scene(), map_sze=64)

@@ -91,7 +91,7 @@ void LightFit::update(View& view, const Scene& scene, const DirectionalLight& li
                             [&](const ShapePtr& shape) { return shape.get() == entry.first; });
     });
     Box box = crop(casters, receivers);
-    if (box.empty()) box = casters;  // no receiver in their shadow
+    if (box.empty()) box = casters;                 // no receiver in their shadow
     if (box.empty()) box = {{0, 0, 0}, {1, 1, 1}};  // nothing casts: any map will do
 
     const double border = map_size_px >= 4 ? 1.0 : 0.0;
