@@ -5,7 +5,8 @@
 in vec3 v_p_vs, v_p_ls, v_color;
 in vec3 v_axis_vs;
 
-uniform vec3 u_to_light_vs;
+uniform vec3 u_to_light_ws;
+uniform mat3 u_camera_rotation;  // world to view
 uniform bool u_receives;
 #ifdef MESH
 uniform bool u_opaque;
@@ -17,12 +18,13 @@ void main() {
     float transmittance = u_receives ? shadow_transmittance(v_p_ls) : 1.0;
     vec3 axis = v_axis_vs * inversesqrt(max(dot(v_axis_vs, v_axis_vs), 1e-30));
     vec3 to_eye = normalize(-v_p_vs);
+    vec3 to_light = u_camera_rotation * u_to_light_ws;
 #ifdef STRANDS
-    vec3 color = shade_strand(v_color, axis, u_to_light_vs, to_eye, transmittance);
+    vec3 color = shade_strand(v_color, axis, to_light, to_eye, transmittance);
 #else
     // Real meshes have holes: whoever looks through one sees the inside lit as an inside.
     vec3 normal = dot(axis, to_eye) < 0.0 ? -axis : axis;
-    vec3 color = u_opaque ? shade_surface(v_color, normal, u_to_light_vs, to_eye, transmittance)
+    vec3 color = u_opaque ? shade_surface(v_color, normal, to_light, to_eye, transmittance)
                           : shade_translucent(v_color, transmittance);
 #endif
     o_color = vec4(color, 1.0);

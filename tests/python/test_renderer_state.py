@@ -113,3 +113,11 @@ def test_a_misspelt_keyword_names_the_nearest(needs_gl):
         po.Renderer(po.Scene(), backgruond=(0, 0, 0))
     with pytest.raises(po.ParameterError, match="map_size"):
         po.Renderer(po.Scene(), map_sze=64)
+
+
+def test_a_picture_that_its_samples_make_too_large_says_so(needs_gl):
+    with po.Renderer(po.Scene(), size=(16384, 1), antialiasing=8) as r:
+        with pytest.raises(po.ParameterError, match="antialiasing"):
+            r.render()
+        r.size = (4, 4)
+        assert r.render().shape == (4, 4, 4)

@@ -28,10 +28,10 @@ double near_distance(const Scene& scene) {
     return 1e-6 * std::max(scene.bounds().radius(), 1e-20);
 }
 
-std::vector<float> rotate(const double4x4& m, const double3& v) {
-    return {float(m[0] * v[0] + m[1] * v[1] + m[2] * v[2]),
-            float(m[4] * v[0] + m[5] * v[1] + m[6] * v[2]),
-            float(m[8] * v[0] + m[9] * v[1] + m[10] * v[2])};
+// The rotation of a rigid matrix, by columns.
+std::vector<float> rotation_of(const double4x4& m) {
+    return {float(m[0]), float(m[4]), float(m[8]), float(m[1]), float(m[5]),
+            float(m[9]), float(m[2]), float(m[6]), float(m[10])};
 }
 
 }  // namespace
@@ -45,14 +45,15 @@ void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
 
     const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
     const double4x4 view = inputs.camera.view_from_world();
-    camera_.update(view, {{"u_camera_clip_from_view",
-                           clip_from_view(inputs.camera, aspect, near_distance(inputs.scene))}});
-    const double3& travel = light.direction();
-    const float3& color = light.color();
-    lamp_.update({{"u_to_light_vs", rotate(view, {-travel[0], -travel[1], -travel[2]})},
-                  {"u_light_color",
-                   std::vector<float>{color[0] * light.intensity(), color[1] * light.intensity(),
-                                      color[2] * light.intensity()}}});
+    const std::vector<float> projection =
+        clip_from_view(inputs.camera, aspect, near_distance(inputs.scene));
+    camera_.update(
+        view, {{"u_camera_clip_from_view", projection}, {"u_camera_rotation", rotation_of(view)}});
+    const auto floats = [](const auto& v, double factor) {
+        return std::vector<float>{float(v[0] * factor), float(v[1] * factor), float(v[2] * factor)};
+    };
+    lamp_.update({{"u_to_light_ws", floats(light.direction(), -1.0)},
+                  {"u_light_color", floats(light.color(), light.intensity())}});
 }
 
 Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {

@@ -1,7 +1,11 @@
 // One frame as data: the passes of the render manager around those of the technique.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/renderer.hpp"

@@ -2,8 +2,11 @@
 // shapes.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "gl/buffer.hpp"

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "gl/buffer.hpp"
 #include "opacity/scene/shape.hpp"

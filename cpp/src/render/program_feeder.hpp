@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "gl/program.hpp"
 #include "opacity/graph/pass.hpp"

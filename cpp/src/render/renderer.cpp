@@ -38,6 +38,7 @@ struct Renderer::Impl {
     std::shared_ptr<gl::Context> context;
     RenderSettings settings;
     float4 background{0.f, 0.f, 0.f, 0.f};
+    std::int64_t most_texels = 0;  // along a side of a texture
 
     // Made with the context current; what they own may be freed without it (gl/object.hpp).
     std::unique_ptr<render::GlDevice> device;
@@ -51,6 +52,8 @@ struct Renderer::Impl {
         if (!technique) technique = make_technique("bounding_opacity_maps");
         if (!context) context = gl::Context::headless();
         const gl::Context::Use use{*context};
+        for (const auto& [name, limit] : context->limits())
+            if (name == "texture size") most_texels = limit;
         device = std::make_unique<render::GlDevice>(context);
         frame = std::make_unique<render::Frame>(*device);
     }
@@ -66,6 +69,19 @@ struct Renderer::Impl {
                 "remove or repair the point");
         const gl::Context::Use use{*context};
         return frame->transmittance(inputs(), world_points, receiver_width);
+    }
+
+    // The picture is drawn oversampled: both together must fit a texture.
+    void check_size() const {
+        const int largest = std::max(settings.width.get(), settings.height.get());
+        const int samples = settings.antialiasing.get();
+        if (largest * std::int64_t{samples} <= most_texels) return;
+        throw ParameterError(
+            "a picture of " + std::to_string(largest) + " pixels along a side at antialiasing " +
+                std::to_string(samples) + " needs " + std::to_string(largest * samples) +
+                " texels; this driver has " + std::to_string(most_texels),
+            "lower antialiasing to " +
+                std::to_string(std::max<std::int64_t>(1, most_texels / largest)) + ", or the size");
     }
 
     void check_light(int light) const {
@@ -150,6 +166,7 @@ void Renderer::render(std::span<float> rgba) {
                                  " floats, the buffer " + std::to_string(rgba.size()),
                              "pass 4 * width * height floats");
     impl_->check_light(0);
+    impl_->check_size();
     const gl::Context::Use use{*impl_->context};
     impl_->frame->render(impl_->inputs(), rgba);
 }

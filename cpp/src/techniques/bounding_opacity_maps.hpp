@@ -15,6 +15,10 @@
 // whole map.
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "opacity/technique.hpp"
 
 namespace opacity::techniques {

@@ -11,6 +11,8 @@
 // Fails: 67 million fragments are the most that its lists hold; it is not meant to be fast.
 #pragma once
 
+#include <string_view>
+
 #include "opacity/technique.hpp"
 
 namespace opacity::techniques {

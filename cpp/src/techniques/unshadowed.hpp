@@ -1,6 +1,8 @@
 // Unshadowed: T = 1 everywhere. No pass, no texture: the baseline that every timing is a ratio to.
 #pragma once
 
+#include <string_view>
+
 #include "opacity/technique.hpp"
 
 namespace opacity::techniques {

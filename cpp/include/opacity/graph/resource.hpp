@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "opacity/core/math.hpp"
 #include "opacity/core/source.hpp"
