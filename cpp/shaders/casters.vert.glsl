@@ -1,10 +1,12 @@
-// Casters as the light sees them. A strand becomes the parallelogram that holds every texel which its ribbon touches;
-// lib/deposit.glsl then finds how much of each. Depth is written by the fragment stage, so nothing is clipped in z.
+// Casters as the light sees them. A strand becomes the parallelogram that holds every texel which
+// its ribbon touches; lib/deposit.glsl then finds how much of each. Depth is written by the
+// fragment stage, so nothing is clipped in z.
 #include "lib/light.glsl"
 
 uniform mat4 u_light_from_local;
 
-// Passes that draw the same casters must agree on every bit of depth and coverage, on drivers that fuse a * b + c too.
+// Passes that draw the same casters must agree on every bit of depth and coverage, on drivers that
+// fuse a * b + c too.
 invariant gl_Position;
 
 vec4 clip_from_texels(vec2 p) { return vec4(2.0 * p / float(u_light_map_size_px) - 1.0, 0.0, 1.0); }

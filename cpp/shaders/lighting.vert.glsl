@@ -1,4 +1,5 @@
-// Shapes as the camera sees them. Strands are ribbons that face it, joined along their common tangents.
+// Shapes as the camera sees them. Strands are ribbons that face it, joined along their common
+// tangents.
 uniform mat4 u_camera_from_local;
 uniform mat4 u_camera_clip_from_view;
 uniform mat4 u_light_from_local;

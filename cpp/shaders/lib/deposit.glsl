@@ -1,6 +1,6 @@
-// The deposit rule (docs/accuracy.md): which optical depth a fragment adds, and at which depth. It does not depend on the
-// map's resolution: a strand of opacity o that covers the part c of a texel lets 1 - o c through, over the part f of
-// the column that the segment spans.
+// The deposit rule (docs/accuracy.md): which optical depth a fragment adds, and at which depth. It
+// does not depend on the map's resolution: a strand of opacity o that covers the part c of a texel
+// lets 1 - o c through, over the part f of the column that the segment spans.
 #include "lib/light.glsl"
 #include "lib/opacity.glsl"
 
@@ -20,7 +20,8 @@ flat in vec2 v_width_texels;
 flat in vec2 v_opacity;
 #endif
 
-// c is evaluated on the segment's line at the column's centre, so that cutting a segment in two changes nothing.
+// c is evaluated on the segment's line at the column's centre, so that cutting a segment in two
+// changes nothing.
 bool covers(out Deposit deposit) {
     vec2 a = v_root.xy, d = v_tip.xy - v_root.xy, texel = gl_FragCoord.xy;
     if (abs(d.y) > abs(d.x)) a = a.yx, d = d.yx, texel = texel.yx;
@@ -28,9 +29,11 @@ bool covers(out Deposit deposit) {
     if (!(f > 0.0)) return false;
     precise float slope = d.y / d.x;
     precise float along = clamp((texel.x - a.x) / d.x, 0.0, 1.0);
-    precise float half_width = 0.5 * mix(v_width_texels.x, v_width_texels.y, along) * sqrt(1.0 + slope * slope);
+    precise float width = mix(v_width_texels.x, v_width_texels.y, along);
+    precise float half_width = 0.5 * width * sqrt(1.0 + slope * slope);
     precise float y = a.y + slope * (texel.x - a.x);
-    precise float c = clamp(min(y + half_width, texel.y + 0.5) - max(y - half_width, texel.y - 0.5), 0.0, 1.0);
+    precise float top = min(y + half_width, texel.y + 0.5);
+    precise float c = clamp(top - max(y - half_width, texel.y - 0.5), 0.0, 1.0);
     if (!(c > 0.0)) return false;
     precise float depth = mix(v_root.z, v_tip.z, along);
     deposit.depth = depth;
@@ -47,8 +50,9 @@ in float v_depth;
 in float v_opacity;
 #endif
 
-// A surface is moved away from the light by its own slope over one texel, the reach of the look-up's taps, so that no
-// texel shadows its neighbour on the same plane; at silhouettes, where the slope is unbounded, by eight texels.
+// A surface is moved away from the light by its own slope over one texel, the reach of the
+// look-up's taps, so that no texel shadows its neighbour on the same plane; at silhouettes, where
+// the slope is unbounded, by eight texels.
 bool covers(out Deposit deposit) {
     float slope = abs(dFdx(v_depth)) + abs(dFdy(v_depth));
     float limit = 8.0 / (u_light_texels_per_unit * u_light_depth_range);
@@ -60,8 +64,8 @@ bool covers(out Deposit deposit) {
 }
 #endif
 
-// The fragment's deposit. Discards what no receiver can notice: texels that are not covered, and casters behind all
-// receivers or behind an opaque one, where T is 0 without them.
+// The fragment's deposit. Discards what no receiver can notice: texels that are not covered, and
+// casters behind all receivers or behind an opaque one, where T is 0 without them.
 Deposit deposit_or_discard() {
     Deposit deposit = Deposit(0.0, 0.0);
     if (!covers(deposit)) discard;

@@ -1,5 +1,6 @@
-// What every map shares in the look-up: the front test, the opaque depth map, and the mean of T over the four nearest texels
-// (of T, not of optical depth: the mean of T is what a footprint lets through). Include it after defining
+// What every map shares in the look-up: the front test, the opaque depth map, and the mean of T
+// over the four nearest texels (of T, not of optical depth: the mean of T is what a footprint lets
+// through). Include it after defining
 //     float texel_transmittance(ivec2 texel, float depth)
 // the fraction of light that passes the translucent casters of one texel in front of a depth.
 #include "lib/light.glsl"
@@ -27,8 +28,8 @@ float shadow_transmittance(vec3 p_ls) {
     vec2 corner = p_ls.xy - 0.5;
     ivec2 texel = ivec2(floor(corner));
     vec2 weight = corner - vec2(texel);
-    float near_row = mix(texel_or_opaque(texel, depth), texel_or_opaque(texel + ivec2(1, 0), depth), weight.x);
-    float far_row =
-        mix(texel_or_opaque(texel + ivec2(0, 1), depth), texel_or_opaque(texel + ivec2(1, 1), depth), weight.x);
-    return mix(near_row, far_row, weight.y);
+    float t00 = texel_or_opaque(texel, depth), t10 = texel_or_opaque(texel + ivec2(1, 0), depth);
+    float t01 = texel_or_opaque(texel + ivec2(0, 1), depth);
+    float t11 = texel_or_opaque(texel + ivec2(1, 1), depth);
+    return mix(mix(t00, t10, weight.x), mix(t01, t11, weight.x), weight.y);
 }

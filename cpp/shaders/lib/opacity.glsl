@@ -3,8 +3,9 @@
 // The largest opacity that still has an optical depth (16.6); 1 itself is for the opaque depth map.
 const float largest_opacity = 1.0 - 1.0 / 16777216.0;
 
-// -log(1 - opacity) to a few ulp. GPUs have no log1p, and log near 1 loses every digit of a small opacity; below one
-// half the series of 2 atanh(t) is used instead, whose seventh term is already below 2e-8 of the sum.
+// -log(1 - opacity) to a few ulp. GPUs have no log1p, and log near 1 loses every digit of a small
+// opacity; below one half the series of 2 atanh(t) is used instead, whose first term left out is
+// below 2e-8 of the sum.
 float optical_depth_of(float opacity) {
     float a = clamp(opacity, 0.0, largest_opacity);
     float t = a / (2.0 - a);

@@ -1,7 +1,9 @@
-// One segment of a strand, pulled from the shape's buffers by every corner of its ribbon: vertices 4 k .. 4 k + 3.
+// One segment of a strand, pulled from the shape's buffers by every corner of its ribbon: vertices
+// 4 k .. 4 k + 3.
 
-layout(std430) readonly buffer b_points { vec4 points[]; };        // xyz in the shape's units, w the strand's width
-layout(std430) readonly buffer b_segments { uint segments[]; };    // index of each segment's first point
+// xyz in the shape's units, w the strand's width there; and the index of each segment's first point.
+layout(std430) readonly buffer b_points { vec4 points[]; };
+layout(std430) readonly buffer b_segments { uint segments[]; };
 
 int segment_index() { return gl_VertexID / 4; }
 

@@ -1,10 +1,11 @@
-// How a surface and a strand answer to light. Every vector is of length 1 and points away from the shaded point.
+// How a surface and a strand answer to light. Every vector is of length 1 and points away from the
+// shaded point.
 
 uniform vec3 u_light_color;    // colour times intensity
 uniform float u_ambient, u_specular, u_shininess;
 
-// Kajiya and Kay 1989: a thin cylinder has no side that faces away, so only the maps darken it. The highlight leaves on the
-// cone that mirrors the light about the strand.
+// Kajiya and Kay 1989: a thin cylinder has no side that faces away, so only the maps darken it. The
+// highlight leaves on the cone that mirrors the light about the strand.
 vec3 shade_strand(vec3 color, vec3 tangent, vec3 to_light, vec3 to_eye, float transmittance) {
     float along_light = dot(tangent, to_light), along_eye = dot(tangent, to_eye);
     float across_light = sqrt(max(0.0, 1.0 - along_light * along_light));
@@ -18,9 +19,8 @@ vec3 shade_strand(vec3 color, vec3 tangent, vec3 to_light, vec3 to_eye, float tr
 vec3 shade_surface(vec3 color, vec3 normal, vec3 to_light, vec3 to_eye, float transmittance) {
     float facing = max(0.0, dot(normal, to_light));
     vec3 half_way = to_light + to_eye;
-    float highlight = facing > 0.0 ? pow(max(0.0, dot(normal, half_way * inversesqrt(max(dot(half_way, half_way), 1e-12)))),
-                                         u_shininess)
-                                   : 0.0;
+    half_way *= inversesqrt(max(dot(half_way, half_way), 1e-12));
+    float highlight = facing > 0.0 ? pow(max(0.0, dot(normal, half_way)), u_shininess) : 0.0;
     vec3 lit = color * facing + u_specular * highlight;
     return u_ambient * color + transmittance * u_light_color * lit;
 }

@@ -1,4 +1,5 @@
-// Bounding opacity maps: cumulative optical depth at K planes between the first and the last caster of each texel.
+// Bounding opacity maps: cumulative optical depth at K planes between the first and the last caster
+// of each texel.
 #include "lib/planes.glsl"
 
 #ifdef PASS_opacity
@@ -9,12 +10,13 @@ uniform sampler2D t_start, t_end;
 layout(location = 0) out vec4 o_planes[TARGETS];
 
 #ifdef BLOCK_STRIDE
-// The split search looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks, since rasterisers
-// skip those that are discarded whole.
+// The split search looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks,
+// since rasterisers skip those that are discarded whole.
 bool is_sampled(ivec2 texel) { return all(equal((texel / 4) % BLOCK_STRIDE, ivec2(0))); }
 #endif
 
-// A fragment counts at every plane behind its own layer: plane k is channel (k - 1) % 4 of target (k - 1) / 4.
+// A fragment counts at every plane behind its own layer: plane k is channel (k - 1) % 4 of target
+// (k - 1) / 4.
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
 #ifdef BLOCK_STRIDE

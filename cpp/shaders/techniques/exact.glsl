@@ -21,9 +21,12 @@ void main() {
     Deposit deposit = deposit_or_discard();
     ivec2 texel = ivec2(gl_FragCoord.xy);
     uint index = imageAtomicAdd(i_stored, texel, 1u);
-    // The same fragments arrive as were counted; a driver that disagrees must not write into the next texel's list.
+    // The same fragments arrive as were counted; a driver that disagrees must not write into the
+    // next texel's list.
     if (index >= texelFetch(t_count, texel, 0).x) return;
-    imageStore(i_unsorted, list_place(texelFetch(t_first, texel, 0).x + index), vec4(deposit.depth, deposit.optical_depth, texel));
+    uint first = texelFetch(t_first, texel, 0).x;
+    vec4 entry = vec4(deposit.depth, deposit.optical_depth, texel);
+    imageStore(i_unsorted, list_place(first + index), entry);
 }
 #endif
 
@@ -51,9 +54,10 @@ vec4 entry(uint index) {
 
 bool before(vec2 a, vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
-// One step of a merge sort: runs of u_run entries, sorted, become runs of twice that. Each entry finds its own place by
-// binary search in the run beside its own, so no invocation loops for long whatever a texel holds. Equal depths
-// are ordered by optical depth: the result does not depend on the order in which fragments arrived.
+// One step of a merge sort: runs of u_run entries, sorted, become runs of twice that. Each entry
+// finds its own place by binary search in the run beside its own, so no invocation loops for long
+// whatever a texel holds. Equal depths are ordered by optical depth: the result does not depend on
+// the order in which fragments arrived.
 void merge(uint index) {
     vec4 mine = entry(index);
     ivec2 texel = ivec2(mine.zw);
@@ -73,8 +77,8 @@ void merge(uint index) {
     else imageStore(i_scratch, list_place(place), mine);
 }
 
-// The running sum of one texel's sorted list, with Kahan's compensation, in chunks: some drivers end all loops of an
-// invocation after 65,535 turns.
+// The running sum of one texel's sorted list, with Kahan's compensation, in chunks: some drivers
+// end all loops of an invocation after 65,535 turns.
 void accumulate(uint index) {
     ivec2 size = textureSize(t_count, 0), texel = ivec2(int(index) % size.x, int(index) / size.x);
     uint first = texelFetch(t_first, texel, 0).x;

@@ -47,17 +47,15 @@ struct State {
 };
 
 struct Pass {
-    std::string name;            // "opacity": shown as "bounding_opacity_maps/opacity"
-    Shader shader = {};          // none: the pass computes on the CPU
-    DrawList* draws = nullptr;   // shapes to draw; an empty list culls the pass
-    const View* view = nullptr;  // from where it draws them
-    DrawList* only_with =
-        nullptr;       // for a pass that draws nothing: culled while this list is empty
-    Reads reads = {};  // textures, values, parameters, views, parts of shapes
-    std::vector<Target> writes = {};  // colour targets in MRT order; a depth texture anywhere
-    std::vector<Resource*> stores =
-        {};  // images i_<name> and buffers b_<name> that the shader writes
-    std::vector<Source*> values = {};  // CPU results such as the split ratio
+    std::string name;                    // "opacity": shown as "bounding_opacity_maps/opacity"
+    Shader shader = {};                  // none: the pass computes on the CPU
+    DrawList* draws = nullptr;           // shapes to draw; an empty list culls the pass
+    const View* view = nullptr;          // from where it draws them
+    DrawList* only_with = nullptr;       // draws nothing, and is culled while this list is empty
+    Reads reads = {};                    // textures, values, parameters, views, parts of shapes
+    std::vector<Target> writes = {};     // colour targets in MRT order; a depth texture anywhere
+    std::vector<Resource*> stores = {};  // images i_<name> and buffers b_<name> for the shader
+    std::vector<Source*> values = {};    // CPU results such as the split ratio
     State state = {};
     // Default: draw the shapes. A lambda captures `this` and graph-owned resources only.
     std::function<void(PassContext&)> execute = {};
