@@ -68,10 +68,10 @@ def names(cls: type) -> set[str]:
     return {name for name in vars(cls) if not name.startswith("_")}
 
 
-def test_the_stub_names_what_the_module_holds() -> None:
-    stub = ast.parse(pathlib.Path(po.__file__).with_name("_native.pyi").read_text("utf-8"))
-    classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
-    functions = {node.name for node in stub.body if isinstance(node, ast.FunctionDef)}
+def test_the_type_file_names_what_the_module_holds() -> None:
+    typed = ast.parse(pathlib.Path(po.__file__).with_name("_native.pyi").read_text("utf-8"))
+    classes = {node.name: node for node in typed.body if isinstance(node, ast.ClassDef)}
+    functions = {node.name for node in typed.body if isinstance(node, ast.FunctionDef)}
     public = {name for name in vars(_native) if not name.startswith("_")}
     assert set(classes) | functions == public
     for name, node in classes.items():
