@@ -121,3 +121,11 @@ def test_a_picture_that_its_samples_make_too_large_says_so(needs_gl):
             r.render()
         r.size = (4, 4)
         assert r.render().shape == (4, 4, 4)
+
+
+def test_the_least_change_of_the_background_is_a_change(needs_gl):
+    with po.Renderer(po.Scene(), background=(1e-8, 0, 0), **OPTIONS) as r:
+        r.render()
+        r.background = (2e-8, 0, 0)
+        assert r.render()[0, 0, 0] == np.float32(2e-8)
+        assert [row.why for row in r.report if row.name == "lighting"] == ["no shapes"]

@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "opacity/core/error.hpp"
-#include "opacity/core/param.hpp"
 
 namespace opacity {
 namespace {
@@ -23,18 +22,10 @@ const DrawList* empty_list(const Pass& pass) {
     return nullptr;
 }
 
-// What a pass is, apart from the content of its reads: another shader or state is another result.
-Revision declaration_of(const Pass& pass) {
-    const Shader& shader = pass.shader;
-    std::string text =
-        shader.vertex + "|" + shader.fragment + "|" + shader.compute + "|" + shader.technique;
-    for (const auto& [name, value] : shader.defines) text += "|" + name + "=" + value;
-    for (const Target& target : pass.writes)
-        text += "|" + target.texture->name() + ":" + std::to_string(target.layer);
-    for (const float number : pass.state.clear_color) text += "|" + std::to_string(number);
-    text += "|" + std::to_string(int(pass.state.depth)) + std::to_string(int(pass.state.blend)) +
-            std::to_string(pass.state.clear_depth);
-    return std::hash<std::string>{}(text);
+bool feeds(const Pass& pass, const std::set<const Source*>& needed) {
+    const auto outputs = all_outputs(pass);
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [&](const Source* output) { return needed.contains(output); });
 }
 
 template <class Names>
@@ -135,12 +126,9 @@ void FrameGraph::check(const Pass& pass) const {
 std::set<const Source*> FrameGraph::needed_for(const Resource& goal) const {
     std::set<const Source*> needed{&goal};
     for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
-        const auto outputs = all_outputs(*pass);
-        const bool feeds_goal =
-            std::any_of(outputs.begin(), outputs.end(),
-                        [&](const Source* output) { return needed.contains(output); });
-        if (!feeds_goal) continue;
+        if (!feeds(*pass, needed)) continue;
         // A pass that writes some layers of a texture needs the writers of the others.
+        const auto outputs = all_outputs(*pass);
         needed.insert(outputs.begin(), outputs.end());
         const Reads reads = all_reads(*pass);
         needed.insert(reads.begin(), reads.end());
@@ -149,7 +137,7 @@ std::set<const Source*> FrameGraph::needed_for(const Resource& goal) const {
 }
 
 std::vector<FrameGraph::Read> FrameGraph::reads_now(const Pass& pass) const {
-    std::vector<Read> reads{{"its declaration", declaration_of(pass)}};
+    std::vector<Read> reads;
     if (!pass.shader.vertex.empty() || !pass.shader.compute.empty())
         reads.push_back({"shaders", shader_revision_});
     for (const Source* read : all_reads(pass)) reads.push_back({read->name(), read->revision()});
@@ -182,10 +170,7 @@ void FrameGraph::run(const Resource& goal) {
     report_.clear();
     const std::set<const Source*> needed = needed_for(goal);
     for (const Pass& pass : passes_) {
-        const auto outputs = all_outputs(pass);
-        const bool is_needed =
-            std::any_of(outputs.begin(), outputs.end(),
-                        [&](const Source* output) { return needed.contains(output); });
+        const bool is_needed = feeds(pass, needed);
         report_.push_back(step(pass, is_needed));
         if (!is_needed)
             report_.back().why = "nothing that \"" + goal.name() + "\" needs reads its output";
@@ -195,34 +180,37 @@ void FrameGraph::run(const Resource& goal) {
 PassReport FrameGraph::step(const Pass& pass, bool needed) {
     using Status = PassReport::Status;
     if (!needed) return {.name = pass.name, .status = Status::culled};
-    std::vector<Read> now = reads_now(pass);
+    Record now{pass.shader, pass.state, pass.writes, reads_now(pass), {}};
     const auto last = records_.find(pass.name);
     const DrawList* empty = empty_list(pass);
     const std::string no_shapes = empty ? "no " + empty->name() : "";
-    if (last != records_.end() && last->second.reads == now && outputs_intact(pass))
+    if (last != records_.end() && last->second.same_input(now) && outputs_intact(pass))
         return {pass.name, empty ? Status::culled : Status::cached,
                 empty ? no_shapes : "no read moved", 0.0, last->second.note};
 
-    const std::string why =
-        last == records_.end() ? "first run" : why_again(last->second.reads, now);
+    const std::string why = last == records_.end() ? "first run" : why_again(last->second, now);
     if (interrupt_check_) interrupt_check_();
     records_.erase(pass.name);  // forgotten first: a pass that throws stays to be run
     const auto start = std::chrono::steady_clock::now();
-    std::string note = execute(pass, empty);
+    now.note = execute(pass, empty);
     device_.finish();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
-    records_[pass.name] = {std::move(now), note};
-    return {pass.name, empty ? Status::culled : Status::ran, empty ? no_shapes : why,
-            elapsed.count(), note};
+    PassReport row{pass.name, empty ? Status::culled : Status::ran, empty ? no_shapes : why,
+                   elapsed.count(), now.note};
+    records_[pass.name] = std::move(now);
+    return row;
 }
 
-std::string FrameGraph::why_again(const std::vector<Read>& last, const std::vector<Read>& now) {
+std::string FrameGraph::why_again(const Record& last, const Record& now) {
     std::vector<std::string> moved;
-    for (const Read& read : now)
-        if (std::find(last.begin(), last.end(), read) == last.end()) moved.push_back(read.name);
+    if (last.shader != now.shader) moved.push_back("its shader");
+    if (last.state != now.state) moved.push_back("its state");
+    for (const Read& read : now.reads)
+        if (std::find(last.reads.begin(), last.reads.end(), read) == last.reads.end())
+            moved.push_back(read.name);
     if (!moved.empty()) return "moved: " + joined(moved);
-    return last == now ? "its output was described anew" : "reads fewer sources";
+    return last.same_input(now) ? "its output was described anew" : "other reads or targets";
 }
 
 std::string FrameGraph::execute(const Pass& pass, bool clear_only) {

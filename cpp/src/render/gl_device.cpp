@@ -4,20 +4,10 @@
 
 #include "gl/check.hpp"
 #include "opacity/core/error.hpp"
-#include "render/local_frame.hpp"
+#include "render/feed_shape.hpp"
 #include "render/program_feeder.hpp"
 
 namespace opacity::render {
-namespace {
-
-std::string program_key(const Shader& shader, const std::string& kind) {
-    std::string key = shader.vertex + "|" + shader.fragment + "|" + shader.compute + "|" +
-                      shader.technique + "|" + kind;
-    for (const auto& [name, value] : shader.defines) key += "|" + name + "=" + value;
-    return key;
-}
-
-}  // namespace
 
 unsigned internal_format(Format format) {
     switch (format) {
@@ -153,7 +143,7 @@ void GlDevice::clear(const Pass& pass) {
 gl::Program& GlDevice::program(const Pass& pass, const std::string& shape_kind) {
     if (programs_revision_ != library_.revision()) programs_.clear();
     programs_revision_ = library_.revision();
-    std::unique_ptr<gl::Program>& program = programs_[program_key(pass.shader, shape_kind)];
+    std::unique_ptr<gl::Program>& program = programs_[{pass.shader, shape_kind}];
     if (program) return *program;
     const Shader& shader = pass.shader;
     std::vector<gl::Stage> stages;

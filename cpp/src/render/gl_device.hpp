@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
@@ -48,7 +49,8 @@ class GlDevice : public Device {
     friend class ProgramFeeder;
 
     gl::Program& program(const Pass& pass, const std::string& shape_kind);
-    // Makes the pass's targets current; returns nothing for a pass without any.
+    // Makes the pass's targets current: without any, a framebuffer of the size of what it stores
+    // into.
     void bind_targets(const Pass& pass);
     void set_state(const Pass& pass) const;
     void draw_shape(const Pass& pass, const ShapePtr& shape);
@@ -61,8 +63,8 @@ class GlDevice : public Device {
     GpuShapes shapes_;
     std::map<std::string, Image> images_;  // by the resource's name
     std::map<std::string, gl::Buffer> buffers_;
-    std::map<std::string, std::unique_ptr<gl::Program>>
-        programs_;  // by everything that its text depends on
+    // By shader and kind of shape; those of an older revision of the shaders are gone.
+    std::map<std::pair<Shader, std::string>, std::unique_ptr<gl::Program>> programs_;
     Revision programs_revision_ = 0;
     gl::Framebuffer framebuffer_;
     gl::VertexArray vertex_array_;  // empty: shapes are pulled from storage buffers

@@ -52,8 +52,7 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     gpu.width_scale = float(shape.scale());
     gpu.receives = shape.receives();
     gpu.opaque = shape.opaque();
-    const auto* strands = dynamic_cast<const Strands*>(&shape);
-    gpu.receiver_width = strands ? gpu.width_scale * strands->mean_width() : 0.f;
+    gpu.receiver_width = float(shape.strand_width());
     upload_geometry(gpu, shape);
     upload_appearance(gpu, shape);
     return gpu;

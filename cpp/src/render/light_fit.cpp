@@ -32,9 +32,11 @@ double4x4 rotation_to(const double3& direction) {
     return {x[0], x[1], x[2], 0, y[0], y[1], y[2], 0, z[0], z[1], z[2], 0, 0, 0, 0, 1};
 }
 
+// What the map must cover: the casters as far as any receiver can be in their shadow.
 Box crop(const Box& casters, const Box& receivers) {
+    if (casters.empty()) return {{0, 0, 0}, {1, 1, 1}};  // any map will do
+    if (receivers.empty()) return casters;
     Box box = casters;
-    if (receivers.empty()) return box;
     for (int i = 0; i < 2; ++i) {
         box.min[i] = std::max(casters.min[i], receivers.min[i]);
         box.max[i] = std::min(casters.max[i], receivers.max[i]);
@@ -43,14 +45,25 @@ Box crop(const Box& casters, const Box& receivers) {
     box.max[2] = std::min(casters.max[2], receivers.max[2]);
     const bool disjoint =
         box.min[0] > box.max[0] || box.min[1] > box.max[1] || box.min[2] > box.max[2];
-    return disjoint ? Box{} : box;
+    return disjoint ? casters : box;
 }
 
 // Surfaces are moved back by up to eight texels (lib/deposit.glsl), and must stay inside the range.
 constexpr double surface_margin_texels = 10.0;
 
-bool is_surface(const Shape& shape) {
-    return dynamic_cast<const Mesh*>(&shape) != nullptr;
+// World to light space: x and y in texels about the middle of the map, z a fraction of the range.
+double4x4 to_texels(const double4x4& rotation, const Box& box, int map_size_px,
+                    double texels_per_unit, double range) {
+    const double3 center = box.center();
+    const double3 origin{center[0], center[1], box.min[2]};
+    const double3 offset{0.5 * map_size_px, 0.5 * map_size_px, 0.0};
+    const double3 scale{texels_per_unit, texels_per_unit, 1.0 / range};
+    double4x4 from_world = rotation;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) from_world[4 * row + column] *= scale[row];
+        from_world[4 * row + 3] = offset[row] - origin[row] * scale[row];
+    }
+    return from_world;
 }
 
 }  // namespace
@@ -70,55 +83,50 @@ Box LightFit::caster_box(const Shape& shape, const double4x4& rotation, const do
     return cached.box;
 }
 
-void LightFit::update(View& view, const Scene& scene, const DirectionalLight& light,
-                      int map_size_px, const Box& query) {
-    const double4x4 rotation = rotation_to(light.direction());
-    Box casters, receivers = query.transformed(rotation);
-    Box translucent_in_world, opaque_in_world;
-    bool surfaces = false;
+LightFit::Extent LightFit::measure(const Scene& scene, const double4x4& rotation,
+                                   const double3& direction) {
+    Extent extent;
+    Box translucent, opaque;  // in world space
     for (const ShapePtr& shape : scene.shapes()) {
         const auto lock = shape->lock();
-        const bool casts = shape->casts() && !shape->invisible_to_light();
-        if (casts) {
-            casters.extend(caster_box(*shape, rotation, light.direction()));
-            (shape->opaque() ? opaque_in_world : translucent_in_world).extend(shape->bounds());
-            surfaces |= is_surface(*shape);
-        }
-        if (shape->receives()) receivers.extend(shape->bounds().transformed(rotation));
+        if (shape->receives()) extent.receivers.extend(shape->bounds().transformed(rotation));
+        if (!shape->is_caster()) continue;
+        extent.casters.extend(caster_box(*shape, rotation, direction));
+        (shape->opaque() ? opaque : translucent).extend(shape->bounds());
+        extent.surfaces |= dynamic_cast<const Mesh*>(shape.get()) != nullptr;
     }
+    // Of what lets light through: a wide opaque ground must not widen the bias within hair.
+    extent.radius = translucent.empty() ? opaque.radius() : translucent.radius();
+    return extent;
+}
+
+void LightFit::forget_absent(const Scene& scene) {
     std::erase_if(cache_, [&](const auto& entry) {
         return std::none_of(scene.shapes().begin(), scene.shapes().end(),
                             [&](const ShapePtr& shape) { return shape.get() == entry.first; });
     });
-    Box box = crop(casters, receivers);
-    if (box.empty()) box = casters;                 // no receiver in their shadow
-    if (box.empty()) box = {{0, 0, 0}, {1, 1, 1}};  // nothing casts: any map will do
+}
+
+void LightFit::update(View& view, const Scene& scene, const DirectionalLight& light,
+                      int map_size_px, const Box& query) {
+    const double4x4 rotation = rotation_to(light.direction());
+    Extent extent = measure(scene, rotation, light.direction());
+    extent.receivers.extend(query.transformed(rotation));
+    forget_absent(scene);
+    const Box box = crop(extent.casters, extent.receivers);
 
     const double border = map_size_px >= 4 ? 1.0 : 0.0;
-    const double extent =
+    const double side =
         std::max({box.max[0] - box.min[0], box.max[1] - box.min[1], 1e-6 * box.radius(), 1e-30});
-    const double texels_per_unit = (map_size_px - 2.0 * border) / extent;
-    const double margin = surfaces ? surface_margin_texels / texels_per_unit : 0.0;
-    const double range = std::max(box.max[2] - box.min[2], 1e-6 * extent) + margin;
-
-    // x, y: centred in texels; z: from the first caster, as a fraction of the range.
-    double4x4 from_world = rotation;
-    const double scale[3] = {texels_per_unit, texels_per_unit, 1.0 / range};
-    const double3 center = box.center();
-    const double origin[3] = {center[0], center[1], box.min[2]},
-                 offset[3] = {0.5 * map_size_px, 0.5 * map_size_px, 0};
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) from_world[4 * row + column] *= scale[row];
-        from_world[4 * row + 3] = offset[row] - origin[row] * scale[row];
-    }
-    // Of what lets light through: a wide opaque ground must not widen the bias within hair.
-    const Box& extent_in_world =
-        translucent_in_world.empty() ? opaque_in_world : translucent_in_world;
-    const double least_bias = std::max(1e-4 * extent_in_world.radius(), 1e-30);
-    view.update(from_world, {{"u_light_map_size_px", map_size_px},
-                             {"u_light_depth_range", float(range)},
-                             {"u_light_texels_per_unit", float(texels_per_unit)},
-                             {"u_light_least_bias", float(least_bias)}});
+    const double texels_per_unit = (map_size_px - 2.0 * border) / side;
+    const double margin = extent.surfaces ? surface_margin_texels / texels_per_unit : 0.0;
+    const double range = std::max(box.max[2] - box.min[2], 1e-6 * side) + margin;
+    const double least_bias = std::max(1e-4 * extent.radius, 1e-30);
+    view.update(to_texels(rotation, box, map_size_px, texels_per_unit, range),
+                {{"u_light_map_size_px", map_size_px},
+                 {"u_light_depth_range", float(range)},
+                 {"u_light_texels_per_unit", float(texels_per_unit)},
+                 {"u_light_least_bias", float(least_bias)}});
 }
 
 }  // namespace opacity::render

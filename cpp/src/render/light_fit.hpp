@@ -23,6 +23,14 @@ class LightFit {
         double3 direction{};
         Box box;
     };
+    // What casts and what receives, in light space; the radius of the casters in world space.
+    struct Extent {
+        Box casters, receivers;
+        double radius = 0.0;
+        bool surfaces = false;
+    };
+    Extent measure(const Scene& scene, const double4x4& rotation, const double3& direction);
+    void forget_absent(const Scene& scene);
     Box caster_box(const Shape& shape, const double4x4& rotation, const double3& direction);
     std::map<const Shape*, Cached> cache_;
 };

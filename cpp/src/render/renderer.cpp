@@ -1,15 +1,12 @@
 #include "opacity/renderer.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numbers>
 
 #include "opacity/core/error.hpp"
-#include "opacity/scene/strands.hpp"
 #include "render/frame.hpp"
 #include "render/gl_device.hpp"
-#include "render/light_fit.hpp"
-#include "render/scene_lists.hpp"
 
 namespace opacity {
 namespace {
@@ -19,12 +16,10 @@ namespace {
 double mean_strand_width(const Scene& scene) {
     double sum = 0.0, points = 0.0;
     for (const ShapePtr& shape : scene.shapes()) {
-        const auto* strands = dynamic_cast<const Strands*>(shape.get());
-        if (!strands) continue;
-        const auto lock = strands->lock();
-        if (!strands->casts() || strands->invisible_to_light()) continue;
-        sum += double(strands->points().size()) * strands->mean_width() * strands->scale();
-        points += double(strands->points().size());
+        const auto lock = shape->lock();
+        if (!shape->is_caster() || shape->strand_width() == 0.0) continue;
+        sum += double(shape->points().size()) * shape->strand_width();
+        points += double(shape->points().size());
     }
     return points > 0.0 ? sum / points : 0.0;
 }
@@ -57,6 +52,7 @@ struct Renderer::Impl {
         device = std::make_unique<render::GlDevice>(context);
         frame = std::make_unique<render::Frame>(*device);
     }
+
     render::FrameInputs inputs() const { return {*scene, camera, technique, settings, background}; }
 
     std::vector<float> transmittance(const Positions& world_points, int light,
@@ -176,7 +172,6 @@ std::vector<float> Renderer::transmittance(const Positions& world_points, int li
 }
 
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
-    const auto* strands = dynamic_cast<const Strands*>(&shape);
     std::vector<double> world_points;
     double width = 0.0;
     {
@@ -186,7 +181,7 @@ std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
             const double3 p = transform_point(shape.transform(), shape.points()[i]);
             world_points.insert(world_points.end(), p.begin(), p.end());
         }
-        if (strands) width = strands->mean_width() * strands->scale();
+        width = shape.strand_width();
     }
     return impl_->transmittance(Positions{std::move(world_points)}, light, width);
 }

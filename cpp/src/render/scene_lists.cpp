@@ -6,8 +6,7 @@ void SceneLists::update(const Scene& scene) {
     std::vector<ShapePtr> translucent_casters, opaque_casters;
     for (const ShapePtr& shape : scene.shapes()) {
         const auto lock = shape->lock();
-        if (!shape->casts() || shape->invisible_to_light() || shape->local_bounds().empty())
-            continue;
+        if (!shape->is_caster()) continue;
         (shape->opaque() ? opaque_casters : translucent_casters).push_back(shape);
     }
     translucent.update(std::move(translucent_casters));

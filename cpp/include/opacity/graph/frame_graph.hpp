@@ -76,9 +76,18 @@ class FrameGraph {
         Revision revision;
         bool operator==(const Read&) const = default;
     };
+    // What a pass was when it ran last: another shader or state is another result.
     struct Record {
+        Shader shader;
+        State state;
+        std::vector<Target> writes;
         std::vector<Read> reads;
         std::string note;
+
+        bool same_input(const Record& other) const {
+            return shader == other.shader && state == other.state && writes == other.writes &&
+                   reads == other.reads;
+        }
     };
 
     void check(const Pass& pass) const;
@@ -87,7 +96,7 @@ class FrameGraph {
     bool outputs_intact(const Pass& pass) const;
     bool allocated_as_described(const Texture& texture) const;
     void allocate(const Texture& texture);
-    static std::string why_again(const std::vector<Read>& last, const std::vector<Read>& now);
+    static std::string why_again(const Record& last, const Record& now);
     PassReport step(const Pass& pass, bool needed);
     std::string execute(const Pass& pass, bool clear_only);  // returns the pass's note
     void drop_undeclared();

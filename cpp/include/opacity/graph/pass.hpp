@@ -2,6 +2,7 @@
 // state.
 #pragma once
 
+#include <compare>
 #include <functional>
 #include <string>
 #include <utility>
@@ -24,6 +25,7 @@ struct Shader {
     std::string vertex = {}, fragment = {}, compute = {};
     std::string technique = {};
     Defines defines = {};
+    auto operator<=>(const Shader&) const = default;
 };
 
 using Reads = std::vector<const Source*>;
@@ -33,6 +35,7 @@ struct Target {
     Texture* texture = nullptr;
     int layer = 0;
     Target(Texture* t, int l = 0) : texture{t}, layer{l} {}  // NOLINT: {&texture} reads as a target
+    bool operator==(const Target&) const = default;
 };
 
 enum class Depth { off, less, greater };
@@ -44,6 +47,7 @@ struct State {
     Blend blend = Blend::off;
     float clear_depth = 1.f;
     float4 clear_color = {0.f, 0.f, 0.f, 0.f};
+    bool operator==(const State&) const = default;
 };
 
 struct Pass {

@@ -51,6 +51,10 @@ class Shape {
     // opacity is 0 everywhere casts nothing.
     virtual bool opaque() const = 0;
     bool invisible_to_light() const;
+    // Whether it keeps light from anything.
+    bool is_caster() const { return casts_ && !invisible_to_light() && points_.size() > 0; }
+    // Mean width of its strands in world units, which the automatic bias goes by; 0 for a surface.
+    virtual double strand_width() const { return 0.0; }
 
     // One revision for each part: geometry is points, widths and connectivity.
     struct Revisions {

@@ -29,6 +29,7 @@ class Strands : public Shape {
     // The first point of every segment: a segment joins points[i] and points[i + 1] of one strand.
     const std::vector<std::uint32_t>& segments() const { return segments_; }
     float mean_width() const { return mean_width_; }
+    double strand_width() const override { return mean_width_ * scale(); }
 
    private:
     void assign_width(std::vector<float> width);

@@ -1,4 +1,4 @@
-#include "render/local_frame.hpp"
+#include "render/feed_shape.hpp"
 
 #include <algorithm>
 #include <glm/glm.hpp>
