@@ -11,7 +11,7 @@ using namespace opacity;
 namespace {
 
 struct Owner : ParamOwner {
-    Owner() : ParamOwner{"owner"} {}
+    Owner() : ParamOwner{"owner", "owner --help"} {}
     Param<int> layers{*this, "layers", 16, {1, 64}, "Layers."};
     Param<double> ratio{*this, "ratio", 0.5, {0.0, 1.0}, "Ratio."};
     Param<bool> fast{*this, "fast", true, "Fast."};
@@ -33,6 +33,8 @@ std::string message_of(Action action) {
 
 TEST_CASE("a value outside the range names parameter, value and range, and changes nothing") {
     Owner owner;
+    CHECK(message_of([&] { owner.layers.assign(std::int64_t{0}); }).find("owner --help lists") !=
+          std::string::npos);
     const Revision before = owner.layers.revision();
     CHECK(message_of([&] {
               owner.layers.assign(std::int64_t{400});

@@ -20,7 +20,7 @@
 namespace opacity {
 
 struct RenderSettings : ParamOwner {
-    RenderSettings() : ParamOwner{"renderer"} {}
+    RenderSettings() : ParamOwner{"renderer", "pyopacity render --help"} {}
     Param<int> width{*this, "width", 1024, {1, 16384}, "Pixels of the picture, across."};
     Param<int> height{*this, "height", 768, {1, 16384}, "Pixels of the picture, down."};
     Param<int> map_size{

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "opacity/core/param.hpp"
@@ -33,7 +34,7 @@ struct ShadowInputs {
 
 class Technique : public ParamOwner {
    public:
-    using ParamOwner::ParamOwner;
+    explicit Technique(std::string name) : ParamOwner{std::move(name), "pyopacity techniques"} {}
 
     virtual std::string_view summary() const = 0;  // one sentence
     virtual std::string_view paper() const = 0;    // authors and year

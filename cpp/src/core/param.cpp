@@ -37,7 +37,7 @@ ParamBase::ParamBase(ParamOwner& owner, std::string name, std::string doc)
 void ParamBase::reject(const ParamValue& value, const std::string& problem) const {
     throw ParameterError(
         owner_.name() + "." + name() + " = " + to_string(value) + " is " + problem,
-        "choose " + range() + "; pyopacity techniques lists every parameter with its range");
+        "choose " + range() + "; " + owner_.listed_by_ + " lists every parameter with its range");
 }
 
 void ParamBase::reject_type(const ParamValue& value) const {

@@ -4,67 +4,20 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "opacity/core/source.hpp"
+#include "opacity/core/param_owner.hpp"
 
 namespace opacity {
-
-using ParamValue = std::variant<bool, std::int64_t, double, std::string>;
-
-std::string to_string(const ParamValue& value);
-
-class ParamOwner;
-
-class ParamBase : public Source {
-   public:
-    ParamBase(ParamOwner& owner, std::string name, std::string doc);
-
-    const std::string& doc() const noexcept { return doc_; }
-    virtual std::string type() const = 0;   // "int", "float", "bool", "choice"
-    virtual std::string range() const = 0;  // "1..64"
-    virtual ParamValue value() const = 0;
-    virtual ParamValue default_value() const = 0;
-    virtual void assign(const ParamValue& value) = 0;  // ParameterError for what does not fit
-
-   protected:
-    // "technique.layers = 400 is outside 1..64": `problem` is what follows "is".
-    [[noreturn]] void reject(const ParamValue& value, const std::string& problem) const;
-    [[noreturn]] void reject_type(const ParamValue& value) const;
-
-   private:
-    ParamOwner& owner_;
-    std::string doc_;
-};
-
-// Whoever has parameters: a technique, the renderer.
-class ParamOwner {
-   public:
-    explicit ParamOwner(std::string name) : name_{std::move(name)} {}
-    ParamOwner(const ParamOwner&) = delete;
-    ParamOwner& operator=(const ParamOwner&) = delete;
-    virtual ~ParamOwner() = default;
-
-    const std::string& name() const noexcept { return name_; }
-    const std::vector<ParamBase*>& params() const noexcept { return params_; }
-    // ParameterError that suggests the nearest name where there is none of this one.
-    ParamBase& param(std::string_view name) const;
-
-   private:
-    friend class ParamBase;  // enters itself
-    std::string name_;
-    std::vector<ParamBase*> params_;
-};
 
 template <class T>
 struct Range {
     T min, max;
 };
+
 template <class T>  // int or double
 class Param : public ParamBase {
    public:
