@@ -22,6 +22,17 @@ class Parser(argparse.ArgumentParser):
         raise po.ParameterError(message, f"{self.prog} --help tells what there is")
 
 
+class PrintCmakeDir(argparse.Action):
+    """Prints :func:`cmake_dir` and ends. Unlike action="version", it never wraps a long path."""
+
+    def __init__(self, option_strings: Sequence[str], dest: str, help: str) -> None:
+        super().__init__(option_strings, dest=argparse.SUPPRESS, nargs=0, help=help)
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> NoReturn:
+        print(cmake_dir())
+        parser.exit()
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs a command line, by default this process's, and returns its exit code."""
     try:
@@ -50,10 +61,7 @@ def _parser() -> Parser:
     parser = Parser(prog="pyopacity", description=po.__doc__.partition("\n")[0])
     parser.add_argument("--version", action="version", version=f"pyopacity {po.__version__}")
     parser.add_argument(
-        "--cmake-dir",
-        action="version",  # prints, and ends
-        version=str(cmake_dir()),
-        help="print the folder for cmake -Dopacity_DIR=",
+        "--cmake-dir", action=PrintCmakeDir, help="print the folder for cmake -Dopacity_DIR="
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for command in (render, techniques, info, doctor):
