@@ -1,6 +1,6 @@
 // The map of a light: what casts lies in it, at the resolution that there is, wherever the world's
-// origin lies; and the view moves only if the map does.
-#include "render/light_fit.hpp"
+// origin lies; and light space moves only if the map does.
+#include "scene/light_fit.hpp"
 
 #include <doctest/doctest.h>
 
@@ -118,11 +118,10 @@ Scene tangle(Random& random) {
     return scene_of({hair, body});
 }
 
-// A view with a fit of its own, and the numbers that it hands to shaders.
-struct Map : Feeder {
-    View view{"light"};
-    render::LightFit fit;
-    std::map<std::string, double> uniforms;
+// A fit, and the light space that it found last.
+struct Map {
+    LightSpace space;
+    LightFit fit;
 
     Map() = default;
     Map(const Scene& scene, const double3& direction, int size_px, const Box& query = {}) {
@@ -130,20 +129,13 @@ struct Map : Feeder {
     }
     void update(const Scene& scene, const DirectionalLight& light, int size_px,
                 const Box& query = {}) {
-        fit.update(view, scene, light, size_px, query);
-        uniforms.clear();
-        view.feed(*this);
+        space = fit.fit(scene, light, size_px, query);
     }
-    void uniform(std::string_view name, const UniformValue& value) override {
-        const auto* number = std::get_if<float>(&value);
-        uniforms[std::string{name}] = number ? double(*number) : double(std::get<int>(value));
-    }
-    void resource(const Resource&) override {}
 
-    double texel_size() const { return 1.0 / uniforms.at("u_light_texels_per_unit"); }
-    double depth_range() const { return uniforms.at("u_light_depth_range"); }
+    double texel_size() const { return 1.0 / space.texels_per_unit; }
+    double depth_range() const { return space.depth_range; }
     double3 light_space(const double3& world) const {
-        return transform_point(view.from_world(), world);
+        return transform_point(space.from_world, world);
     }
     // What the points of a shape cover in light space, half of their width included in x and y.
     Box covered_by(const Shape& shape) const {
@@ -215,7 +207,7 @@ TEST_CASE("texels are square, and depth is the distance along the light") {
         const Scene scene = tangle(random);
         const DirectionalLight light{direction};
         const Map map{scene, direction, 64};
-        const double4x4& m = map.view.from_world();
+        const double4x4& m = map.space.from_world;
         const double3 x = row(m, 0), y = row(m, 1), z = row(m, 2);
         const double texels = std::sqrt(dot(x, x)), depth = std::sqrt(dot(z, z));
         CHECK(std::sqrt(dot(y, y)) == Approx(texels).epsilon(1e-12));
@@ -225,7 +217,7 @@ TEST_CASE("texels are square, and depth is the distance along the light") {
         CHECK(dot(z, light.direction()) == Approx(depth).epsilon(1e-12));
         CHECK(map.texel_size() == Approx(1.0 / texels).epsilon(1e-6));
         CHECK(map.depth_range() == Approx(1.0 / depth).epsilon(1e-6));
-        CHECK(map.uniforms.at("u_light_map_size_px") == 64.0);
+        CHECK(map.space.map_size_px == 64);
     }
 }
 
@@ -233,7 +225,7 @@ TEST_CASE("a wide ground that only receives takes no texel from the casters") {
     const auto hair = tuft({0, 0, 3});
     const Map alone{scene_of({hair}), {0.5, 0.3, -0.8}, 64};
     const Map grounded{scene_of({hair, ground(0.0, 1e4)}), {0.5, 0.3, -0.8}, 64};
-    CHECK(grounded.view.from_world() == alone.view.from_world());
+    CHECK(grounded.space.from_world == alone.space.from_world);
     CHECK(grounded.depth_range() == alone.depth_range());
 }
 
@@ -282,7 +274,7 @@ TEST_CASE("points that are asked about widen the map again") {
     const Map asked{scene, down, 64, beside->bounds()};
     beside->set_receives(true);
     const Map received{scene, down, 64};
-    CHECK(asked.view.from_world() == received.view.from_world());
+    CHECK(asked.space.from_world == received.space.from_world);
     const Box box = asked.covered_by(scene);
     CHECK(box.min[0] >= 1.0 - 1e-6);
     CHECK(box.max[0] <= 63.0 + 1e-6);
@@ -294,7 +286,7 @@ TEST_CASE("points that are asked about widen the map again") {
     CHECK(Map{scene_of({hair, deep}), down, 64, point}.depth_range() > 49.0);
 }
 
-TEST_CASE("the view moves only if the map does") {
+TEST_CASE("light space moves only if the map does") {
     const auto hair = tuft({0, 0, 0}), hidden = tuft({5, 5, 5}, 2);
     const auto floor = ground(-2, 1e3);
     hidden->set_casts(false);
@@ -303,11 +295,11 @@ TEST_CASE("the view moves only if the map does") {
     DirectionalLight light{{0.5, 0.3, -0.8}};
     Map map;
     map.update(scene, light, 64);
-    const Revision before = map.view.revision();
+    const LightSpace before = map.space;
     const auto moves = [&] {
-        const Revision last = map.view.revision();
+        const LightSpace last = map.space;
         map.update(scene, light, 64);
-        return map.view.revision() != last;
+        return map.space != last;
     };
     double4x4 shifted = identity;
     shifted[3] = 0.125;
@@ -322,7 +314,7 @@ TEST_CASE("the view moves only if the map does") {
     hair->set_color({{0, 1, 0}});
     hair->set_opacity({0.9f});
     CHECK_FALSE(moves());
-    CHECK(map.view.revision() == before);
+    CHECK(map.space == before);
 
     hair->set_transform(shifted);
     CHECK(moves());
@@ -387,11 +379,12 @@ TEST_CASE("nothing, a point and a line along the light still give a map") {
         for (const Scene& scene : scenes)
             for (const int size_px : map_sizes) {
                 const Map map{scene, direction, size_px};
-                CHECK(finite(map.view.from_world()));
-                for (const auto& [name, value] : map.uniforms) {
-                    CAPTURE(name);
-                    CHECK(std::isfinite(value));
-                    CHECK(value > 0.0);
+                CHECK(finite(map.space.from_world));
+                // Shaders take them as float32.
+                for (const double value :
+                     {map.space.depth_range, map.space.texels_per_unit, map.space.least_bias}) {
+                    CHECK(std::isfinite(float(value)));
+                    CHECK(float(value) > 0.f);
                 }
             }
     }

@@ -41,7 +41,11 @@ void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
     const auto& lights = inputs.scene.lights();
     const DirectionalLight& light = lights.empty() ? no_light : *lights.front();
     lists_.update(inputs.scene);
-    fit_.update(light_, inputs.scene, light, inputs.settings.map_size.get(), query);
+    const LightSpace space = fit_.fit(inputs.scene, light, inputs.settings.map_size.get(), query);
+    light_.update(space.from_world, {{"u_light_map_size_px", space.map_size_px},
+                                     {"u_light_depth_range", float(space.depth_range)},
+                                     {"u_light_texels_per_unit", float(space.texels_per_unit)},
+                                     {"u_light_least_bias", float(space.least_bias)}});
 
     const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
     const double4x4 view = inputs.camera.view_from_world();

@@ -10,8 +10,8 @@
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/renderer.hpp"
 #include "render/gl_device.hpp"
-#include "render/light_fit.hpp"
 #include "render/scene_lists.hpp"
+#include "scene/light_fit.hpp"
 
 namespace opacity::render {
 

@@ -7,25 +7,9 @@
 #include "opacity/core/error.hpp"
 #include "render/frame.hpp"
 #include "render/gl_device.hpp"
+#include "scene/bias.hpp"
 
 namespace opacity {
-namespace {
-
-// Of the scene's strands, each point counted once, in world units: what a point of unknown kind is
-// taken to lie on.
-double mean_strand_width(const Scene& scene) {
-    double sum = 0.0, points = 0.0;
-    for (const ShapePtr& shape : scene.shapes()) {
-        const auto lock = shape->lock();
-        if (!shape->is_caster() || shape->strand_width() == 0.0) continue;
-        sum += double(shape->points().size()) * shape->strand_width();
-        points += double(shape->points().size());
-    }
-    return points > 0.0 ? sum / points : 0.0;
-}
-
-}  // namespace
-
 struct Renderer::Impl {
     std::shared_ptr<Scene> scene;
     Camera camera;

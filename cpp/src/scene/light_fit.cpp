@@ -1,11 +1,12 @@
-#include "render/light_fit.hpp"
+#include "scene/light_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "opacity/scene/mesh.hpp"
+#include "scene/bias.hpp"
 
-namespace opacity::render {
+namespace opacity {
 namespace {
 
 double3 cross(const double3& a, const double3& b) {
@@ -15,21 +16,6 @@ double3 cross(const double3& a, const double3& b) {
 double3 normalized(const double3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
     return {v[0] / length, v[1] / length, v[2] / length};
-}
-
-// World to a frame whose z axis is the light's direction.
-double4x4 rotation_to(const double3& direction) {
-    const auto smallest = [&] {
-        int axis = 0;
-        for (int i = 1; i < 3; ++i)
-            if (std::abs(direction[i]) < std::abs(direction[axis])) axis = i;
-        return axis;
-    }();
-    double3 reference{};
-    reference[smallest] = 1.0;
-    const double3 x = normalized(cross(reference, direction)), y = cross(direction, x);
-    const double3& z = direction;
-    return {x[0], x[1], x[2], 0, y[0], y[1], y[2], 0, z[0], z[1], z[2], 0, 0, 0, 0, 1};
 }
 
 // What the map must cover: the casters as far as any receiver can be in their shadow.
@@ -68,6 +54,20 @@ double4x4 to_texels(const double4x4& rotation, const Box& box, int map_size_px,
 
 }  // namespace
 
+double4x4 light_rotation(const double3& direction) {
+    const auto smallest = [&] {
+        int axis = 0;
+        for (int i = 1; i < 3; ++i)
+            if (std::abs(direction[i]) < std::abs(direction[axis])) axis = i;
+        return axis;
+    }();
+    double3 reference{};
+    reference[smallest] = 1.0;
+    const double3 x = normalized(cross(reference, direction)), y = cross(direction, x);
+    const double3& z = direction;
+    return {x[0], x[1], x[2], 0, y[0], y[1], y[2], 0, z[0], z[1], z[2], 0, 0, 0, 0, 1};
+}
+
 Box LightFit::caster_box(const Shape& shape, const double4x4& rotation, const double3& direction) {
     Cached& cached = cache_[&shape];
     const Shape::Revisions& now = shape.revisions();
@@ -86,17 +86,13 @@ Box LightFit::caster_box(const Shape& shape, const double4x4& rotation, const do
 LightFit::Extent LightFit::measure(const Scene& scene, const double4x4& rotation,
                                    const double3& direction) {
     Extent extent;
-    Box translucent, opaque;  // in world space
     for (const ShapePtr& shape : scene.shapes()) {
         const auto lock = shape->lock();
         if (shape->receives()) extent.receivers.extend(shape->bounds().transformed(rotation));
         if (!shape->is_caster()) continue;
         extent.casters.extend(caster_box(*shape, rotation, direction));
-        (shape->opaque() ? opaque : translucent).extend(shape->bounds());
         extent.surfaces |= dynamic_cast<const Mesh*>(shape.get()) != nullptr;
     }
-    // Of what lets light through: a wide opaque ground must not widen the bias within hair.
-    extent.radius = translucent.empty() ? opaque.radius() : translucent.radius();
     return extent;
 }
 
@@ -107,9 +103,9 @@ void LightFit::forget_absent(const Scene& scene) {
     });
 }
 
-void LightFit::update(View& view, const Scene& scene, const DirectionalLight& light,
-                      int map_size_px, const Box& query) {
-    const double4x4 rotation = rotation_to(light.direction());
+LightSpace LightFit::fit(const Scene& scene, const DirectionalLight& light, int map_size_px,
+                         const Box& query) {
+    const double4x4 rotation = light_rotation(light.direction());
     Extent extent = measure(scene, rotation, light.direction());
     extent.receivers.extend(query.transformed(rotation));
     forget_absent(scene);
@@ -121,12 +117,8 @@ void LightFit::update(View& view, const Scene& scene, const DirectionalLight& li
     const double texels_per_unit = (map_size_px - 2.0 * border) / side;
     const double margin = extent.surfaces ? surface_margin_texels / texels_per_unit : 0.0;
     const double range = std::max(box.max[2] - box.min[2], 1e-6 * side) + margin;
-    const double least_bias = std::max(1e-4 * extent.radius, 1e-30);
-    view.update(to_texels(rotation, box, map_size_px, texels_per_unit, range),
-                {{"u_light_map_size_px", map_size_px},
-                 {"u_light_depth_range", float(range)},
-                 {"u_light_texels_per_unit", float(texels_per_unit)},
-                 {"u_light_least_bias", float(least_bias)}});
+    return {to_texels(rotation, box, map_size_px, texels_per_unit, range), map_size_px, range,
+            texels_per_unit, least_bias(scene)};
 }
 
-}  // namespace opacity::render
+}  // namespace opacity
