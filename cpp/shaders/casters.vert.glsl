@@ -46,7 +46,8 @@ void main() {
         return;
     }
     float slope = d.y / d.x;
-    float reach = 0.5 * max(v_width_texels.x, v_width_texels.y) * sqrt(1.0 + slope * slope) + 0.5;
+    float half_width = 0.5 * max(v_width_texels.x, v_width_texels.y) * sqrt(1.0 + slope * slope);
+    float reach = half_width + 0.5 + 1.0 / 64.0;  // more than rasterisers round corners by
     vec2 corner = segment_corner();
     vec2 columns = vec2(floor(min(a.x, a.x + d.x)), ceil(max(a.x, a.x + d.x)));
     float x = mix(columns.x, columns.y, corner.x);

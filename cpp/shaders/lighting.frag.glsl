@@ -8,14 +8,39 @@ in vec3 v_axis_vs;
 uniform vec3 u_to_light_ws;
 uniform mat3 u_camera_rotation;  // world to view
 uniform bool u_receives;
+uniform float u_receiver_width;  // world units: a strand does not shadow its own neighbourhood
 #ifdef MESH
 uniform bool u_opaque;
 #endif
 
 layout(location = 0) out vec4 o_color;
 
+#ifdef OWN_CORRECTION
+in float v_own_opacity;
+#ifdef STRANDS
+flat in vec3 v_own_direction;
+in float v_own_width_texels;
+in vec2 v_own_ends;
+#endif
+#endif
+
+Receiver receiver() {
+    Receiver receiver = point_receiver(v_p_ls, u_receiver_width);
+#ifdef OWN_CORRECTION
+    receiver.opacity = v_own_opacity;
+#ifdef STRANDS
+    receiver.width_texels = v_own_width_texels;
+    receiver.direction = v_own_direction;
+    receiver.ends = v_own_ends;
+#else
+    receiver.direction = vec3(surface_slope(dFdx(v_p_ls), dFdy(v_p_ls)), 0.0);
+#endif
+#endif
+    return receiver;
+}
+
 void main() {
-    float transmittance = u_receives ? shadow_transmittance(v_p_ls) : 1.0;
+    float transmittance = u_receives ? shadow_transmittance(receiver()) : 1.0;
     vec3 axis = v_axis_vs * inversesqrt(max(dot(v_axis_vs, v_axis_vs), 1e-30));
     vec3 to_eye = normalize(-v_p_vs);
     vec3 to_light = u_camera_rotation * u_to_light_ws;

@@ -10,6 +10,16 @@ uniform int u_color_stride;  // 0: one colour for all
 out vec3 v_p_vs, v_p_ls, v_color;
 out vec3 v_axis_vs;  // the tangent of a strand, the normal of a surface
 
+#ifdef OWN_CORRECTION
+// What the receiver itself leaves in the map: lib/receiver.glsl.
+layout(std430) readonly buffer b_opacity { float opacity[]; };
+uniform int u_opacity_stride;  // 0: one opacity for all
+uniform bool u_deposits;      // whether the opacity maps hold it
+
+out float v_own_opacity;
+float own_opacity(int vertex) { return u_deposits ? opacity[vertex * u_opacity_stride] : 0.0; }
+#endif
+
 vec3 color_of(int vertex) {
     int i = 3 * vertex * u_color_stride;
     return vec3(color[i], color[i + 1], color[i + 2]);
@@ -29,11 +39,16 @@ vec3 unit(vec3 v) {
 uniform float u_width_scale;
 uniform int u_segment_count;
 
+// Whether the strand goes on beyond the segment's root or tip.
+bool goes_on(int segment, bool at_tip) {
+    int neighbour = at_tip ? segment + 1 : segment - 1;
+    return neighbour >= 0 && neighbour < u_segment_count &&
+           int(segments[neighbour]) == int(segments[segment]) + (at_tip ? 1 : -1);
+}
+
 // The mean direction of the segments that meet at an end of this one.
 vec3 tangent_at(int segment, int point, bool at_tip) {
-    int neighbour = at_tip ? segment + 1 : segment - 1;
-    bool joined = neighbour >= 0 && neighbour < u_segment_count &&
-                  int(segments[neighbour]) == int(segments[segment]) + (at_tip ? 1 : -1);
+    bool joined = goes_on(segment, at_tip);
     vec3 here = view_position(points[point].xyz);
     int before = at_tip || joined ? point - 1 : point;
     int after = !at_tip || joined ? point + 1 : point;
@@ -41,6 +56,28 @@ vec3 tangent_at(int segment, int point, bool at_tip) {
     vec3 outgoing = unit(view_position(points[after].xyz) - here);
     return unit(incoming + outgoing);
 }
+
+#ifdef OWN_CORRECTION
+#include "lib/light.glsl"
+
+flat out vec3 v_own_direction;
+out float v_own_width_texels;
+out vec2 v_own_ends;
+
+// Where the strand goes on, it does so for as far as any filter reaches.
+const float endless_texels = 64.0;
+
+void tell_own_segment(int segment, int point, bool at_tip) {
+    int root = int(segments[segment]);
+    vec3 along = (u_light_from_local * vec4(points[root + 1].xyz - points[root].xyz, 0.0)).xyz;
+    float texels = max(abs(along.x), abs(along.y));
+    v_own_direction = texels > 0.0 ? along / texels : vec3(0.0);
+    v_own_ends = vec2(goes_on(segment, false) ? -endless_texels : at_tip ? -texels : 0.0,
+                      goes_on(segment, true) ? endless_texels : at_tip ? 0.0 : texels);
+    v_own_width_texels = points[point].w * u_width_scale * u_light_texels_per_unit;
+    v_own_opacity = own_opacity(point);
+}
+#endif
 
 void main() {
     int segment = segment_index();
@@ -53,6 +90,9 @@ void main() {
     v_p_vs = center + side * (0.5 * corner.y * points[point].w * u_width_scale);
     v_p_ls = (u_light_from_local * vec4(points[point].xyz, 1.0)).xyz;
     v_color = color_of(point);
+#ifdef OWN_CORRECTION
+    tell_own_segment(segment, point, at_tip);
+#endif
     gl_Position = u_camera_clip_from_view * vec4(v_p_vs, 1.0);
 }
 #endif
@@ -67,6 +107,9 @@ void main() {
     v_p_ls = (u_light_from_local * vec4(points[gl_VertexID].xyz, 1.0)).xyz;
     v_axis_vs = unit(u_camera_normal_from_local * normals[gl_VertexID].xyz);
     v_color = color_of(gl_VertexID);
+#ifdef OWN_CORRECTION
+    v_own_opacity = own_opacity(gl_VertexID);
+#endif
     gl_Position = u_camera_clip_from_view * vec4(v_p_vs, 1.0);
 }
 #endif

@@ -1,12 +1,22 @@
-// The fraction of light that reaches each of a list of points.
+// The fraction of light that reaches each of a list of receivers.
 #include "lib/invocation.glsl"
 #include "technique.glsl"
 
-layout(std430) readonly buffer b_points_ls { vec4 points_ls[]; };
+// Four floats a vector, in the order of map/receiver.hpp.
+struct Query {
+    vec4 p_ls;  // w: width_texels
+    vec4 direction;  // w: opacity
+    vec4 ends;
+};
+layout(std430) readonly buffer b_receivers { Query receivers[]; };
 layout(std430) writeonly buffer b_transmittance { float transmittance[]; };
-uniform int u_point_count;
+uniform int u_receiver_count;
+uniform float u_receiver_width;  // world units
 
 void main() {
     uint index = invocation_index();
-    if (index < uint(u_point_count)) transmittance[index] = shadow_transmittance(points_ls[index].xyz);
+    if (index >= uint(u_receiver_count)) return;
+    Query query = receivers[index];
+    transmittance[index] = shadow_transmittance(Receiver(query.p_ls.xyz, u_receiver_width, query.direction.w,
+                                                         query.p_ls.w, query.direction.xyz, query.ends.xy));
 }

@@ -43,7 +43,9 @@ class Renderer(HasParameters):
         size: width and height of the picture in pixels; the default is 1024 x 768.
         technique: a name, or what :func:`pyopacity.technique` makes.
         background: linear RGB or RGBA behind everything; alpha 0 for a transparent picture.
-        device: "gpu", which is whatever OpenGL there is, also one in software.
+        device: "gpu", which is whatever OpenGL there is, also one in software; or "cpu", which needs
+            none: the same maps in C++ on all cores, for :meth:`transmittance` of techniques that
+            have them there, and no pictures.
         settings: the parameters below.
 
     Raises:
@@ -53,7 +55,7 @@ class Renderer(HasParameters):
 
     __slots__ = ("_camera", "_context", "_handle", "_scene", "_technique")
     _handle: _native.Renderer | None
-    _context: _native.Context
+    _context: _native.Context | None
     _scene: Scene
     _camera: Camera
     _technique: Technique
@@ -68,17 +70,17 @@ class Renderer(HasParameters):
         size: tuple[int, int] | None = None,
         technique: str | Technique = "bounding_opacity_maps",
         background: Vector | None = None,
-        device: Literal["gpu"] = "gpu",
+        device: Literal["gpu", "cpu"] = "gpu",
         **settings: Any,
     ) -> None:
         self._handle = None
         if not isinstance(scene, Scene):
             raise _arrays.wrong("scene", scene, "a pyopacity.Scene: Scene(shapes, light)")
-        _arrays.choice("device", device, ("gpu",))
+        _arrays.choice("device", device, ("gpu", "cpu"))
         self._scene = scene
         self._camera = _camera(Camera.fit(scene) if camera is None else camera)
         self._technique = _technique(technique)
-        self._context = _native.Context.headless()
+        self._context = _native.Context.headless() if device == "gpu" else None
         try:
             self._handle = _native.Renderer(
                 scene._handle, self._camera._handle, self._technique._handle, self._context
@@ -103,7 +105,7 @@ class Renderer(HasParameters):
 
         Raises:
             ParameterError: ``out`` has another dtype, shape or order, or cannot be written to.
-            ContextError: closed, another thread, or a forked process.
+            ContextError: closed, another thread, a forked process, or ``device="cpu"``.
             OutOfMemoryError: the driver cannot hold the maps or the picture.
         """
         image = self._new_image() if out is None else self._checked(out)
@@ -184,8 +186,21 @@ class Renderer(HasParameters):
 
     @property
     def context(self) -> _native.Context:
-        """The OpenGL context: its ``renderer``, ``version``, ``is_software``, ``live_objects``."""
+        """The OpenGL context: its ``renderer``, ``version``, ``is_software``, ``live_objects``.
+
+        Raises:
+            ContextError: the renderer was made with ``device="cpu"``.
+        """
+        if self._context is None:
+            raise ContextError(
+                'a renderer with device="cpu" has no OpenGL context', 'make one with device="gpu"'
+            )
         return self._context
+
+    @property
+    def device(self) -> str:
+        """What it runs on, as OpenGL calls it, or "cpu"."""
+        return "cpu" if self._context is None else self._context.renderer
 
     # ---- settings ----
 
@@ -268,7 +283,7 @@ class Renderer(HasParameters):
         if self.closed:
             return "<Renderer: closed>"
         width, height = self.size
-        return f"<Renderer: {width}x{height}, {self._technique.name}, on {self._context.renderer}>"
+        return f"<Renderer: {width}x{height}, {self._technique.name}, on {self.device}>"
 
     @property
     def _engine(self) -> _native.Renderer:
@@ -282,7 +297,7 @@ class Renderer(HasParameters):
         try:
             yield
         finally:
-            for level, message in self._context.take_messages():
+            for level, message in self._context.take_messages() if self._context else ():
                 _log.log(_LEVELS[level], message)
 
     def _new_image(self) -> npt.NDArray[np.float32]:

@@ -129,7 +129,8 @@ struct Map {
     }
     void update(const Scene& scene, const DirectionalLight& light, int size_px,
                 const Box& query = {}) {
-        space = fit.fit(scene, light, size_px, query);
+        space = fit.fit(
+            scene, light, [size_px](double) { return size_px; }, query);
     }
 
     double texel_size() const { return 1.0 / space.texels_per_unit; }

@@ -16,7 +16,7 @@ struct Owner : ParamOwner {
     Param<double> ratio{*this, "ratio", 0.5, {0.0, 1.0}, "Ratio."};
     Param<bool> fast{*this, "fast", true, "Fast."};
     Choice split{*this, "split", {"auto", "linear"}, "Split."};
-    AutoParam bias{*this, "bias", {0.0, 10.0}, "Bias."};
+    AutoParam<double> bias{*this, "bias", {0.0, 10.0}, "Bias."};
 };
 
 template <class Action>

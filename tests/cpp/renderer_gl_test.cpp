@@ -31,13 +31,13 @@ class Forgetful : public Technique {
         : Technique{"bounding_opacity_maps"}, forgotten_{std::move(forgotten)} {}
     std::string_view summary() const override { return "Forgets a read."; }
     std::string_view paper() const override { return "none"; }
-    Reads build(FrameGraph& graph, const ShadowInputs& inputs) override {
-        Reads reads = complete_->build(graph, inputs);
+    LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override {
+        LookUp look_up = complete_->build(graph, inputs);
         const auto forgotten = [this](const Source* read) {
             return read->name().substr(read->name().rfind('/') + 1) == forgotten_;
         };
-        REQUIRE(std::erase_if(reads, forgotten) == 1);
-        return reads;
+        REQUIRE(std::erase_if(look_up.reads, forgotten) == 1);
+        return look_up;
     }
 
    private:
@@ -51,7 +51,7 @@ class Careless : public Technique {
     Careless() : Technique{"bounding_opacity_maps"} {}
     std::string_view summary() const override { return "Declares nothing."; }
     std::string_view paper() const override { return "none"; }
-    Reads build(FrameGraph& graph, const ShadowInputs& inputs) override {
+    LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override {
         Texture& opacity = graph.texture("opacity", inputs.map(Format::rgba32f, 1));
         const Defines defines{{"PASS_opacity", "1"}, {"TARGETS", "1"}, {"FIRST_TARGET", "0"}};
         graph.add({.name = "deposit",
@@ -59,7 +59,7 @@ class Careless : public Technique {
                    .draws = &inputs.translucent,
                    .view = &inputs.light,
                    .writes = {&opacity}});
-        return {&opacity};
+        return {.reads = {&opacity}};
     }
 };
 

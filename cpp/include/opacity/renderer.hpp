@@ -23,8 +23,12 @@ struct RenderSettings : ParamOwner {
     RenderSettings() : ParamOwner{"renderer", "pyopacity render --help"} {}
     Param<int> width{*this, "width", 1024, {1, 16384}, "Pixels of the picture, across."};
     Param<int> height{*this, "height", 768, {1, 16384}, "Pixels of the picture, down."};
-    Param<int> map_size{
-        *this, "map_size", 512, {1, 16384}, "Texels along each side of the light's maps."};
+    AutoParam<int> map_size{*this,
+                            "map_size",
+                            512,
+                            {1, 16384},
+                            "Texels along each side of the light's maps; auto: from the width and "
+                            "spacing of the strands, or from filter_width."};
     Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
     Param<double> ambient{*this,
                           "ambient",
@@ -46,6 +50,8 @@ class Renderer {
     // Without a context, a headless one is made. One light at most is rendered by this version.
     Renderer(std::shared_ptr<Scene> scene, const Camera& camera,
              std::shared_ptr<Technique> technique = {}, std::shared_ptr<gl::Context> context = {});
+    // Without OpenGL: transmittance of techniques that have a form in C++, and no pictures.
+    static Renderer on_cpu(std::shared_ptr<Scene> scene, std::shared_ptr<Technique> technique = {});
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
@@ -53,7 +59,8 @@ class Renderer {
     Scene& scene();
     Technique& technique();
     const Camera& camera() const;
-    gl::Context& context();
+    bool is_on_cpu() const;
+    gl::Context& context();  // ContextError on the CPU
     void set_technique(std::shared_ptr<Technique> technique);
     void set_camera(const Camera& camera);
     void set_size(int width_px, int height_px);
@@ -87,6 +94,7 @@ class Renderer {
 
    private:
     struct Impl;
+    explicit Renderer(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };
 

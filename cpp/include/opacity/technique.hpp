@@ -2,6 +2,7 @@
 // up in them. docs/add_a_technique.md walks through a new one: three files and one line.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,8 +11,14 @@
 
 #include "opacity/core/param.hpp"
 #include "opacity/graph/frame_graph.hpp"
+#include "opacity/scene/light_space.hpp"
 
 namespace opacity {
+
+// Of the maps without OpenGL (src/map).
+class LightCasters;
+class TexelMap;
+struct FragmentSource;
 
 // What the renderer hands to every technique.
 struct ShadowInputs {
@@ -19,7 +26,9 @@ struct ShadowInputs {
     DrawList& translucent;        // casters with an optical depth
     const Texture& opaque_depth;  // first opaque caster in each texel, 1 where there is none
     bool has_opaque;
-    int map_size_px;
+    bool paper_deposit;  // one-texel lines of full opacity, as in the papers
+    const LightSpace& space;
+    LightCasters& casters;  // for passes in C++
 
     // A shader and the reads for a pass that draws casters through lib/deposit.glsl. It leaves out
     // what lies behind opaque casters, if there are any; with `optical_depth` it also reads
@@ -28,8 +37,20 @@ struct ShadowInputs {
                          Defines defines = {}) const;
     Reads caster_reads(bool optical_depth, Reads more = {}) const;
     TextureDesc map(Format format, int layers = 0) const {
-        return {.format = format, .width = map_size_px, .height = map_size_px, .layers = layers};
+        const int size_px = space.map_size_px;
+        return {.format = format, .width = size_px, .height = size_px, .layers = layers};
     }
+    // What the same pass draws, for its form in C++ (map/fragments.hpp).
+    FragmentSource fragments(PassContext& context, bool optical_depth) const;
+};
+
+// What a shader that asks for T takes besides the light.
+struct LookUp {
+    Reads reads = {};
+    Defines defines = {};
+    bool own_correction = false;  // it also wants to know what the receiver itself casts
+    // The look-up's form in C++, over the declared reads.
+    std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu = {};
 };
 
 class Technique : public ParamOwner {
@@ -38,26 +59,56 @@ class Technique : public ParamOwner {
 
     virtual std::string_view summary() const = 0;  // one sentence
     virtual std::string_view paper() const = 0;    // authors and year
-    // Adds its passes; returns what the look-up must read.
-    virtual Reads build(FrameGraph& graph, const ShadowInputs& inputs) = 0;
+    // Adds its passes; returns what the look-up takes.
+    virtual LookUp build(FrameGraph& graph, const ShadowInputs& inputs) = 0;
 
     // What it searches for is searched again at the next frame.
     virtual void needs_recompute() {}
 
     // techniques/<name>.glsl holds all its stages, each in #ifdef PASS_<name>, and for the look-up
-    // float shadow_transmittance(vec3 p_ls).
+    // float shadow_transmittance(Receiver receiver).
     std::string shader_path() const { return "techniques/" + name() + ".glsl"; }
 
-    AutoParam bias{*this,
-                   "bias",
-                   {0.0, 1e9},
-                   "World units toward the light within which casters do not count; auto: the "
-                   "receiver's strand width, at least 1e-4 of the casters' radius."};
+    // Which optical depth a fragment adds, and where a receiver looks it up: the same for all.
+    Choice deposit_rule{*this,
+                        "deposit_rule",
+                        {"area", "paper"},
+                        "What a strand leaves in a texel: its ribbon's exact area, or, as in the "
+                        "papers, a line one texel wide."};
+    AutoParam<double> bias{
+        *this,
+        "bias",
+        {0.0, 1e9},
+        "World units toward the light within which casters do not count; auto: the "
+        "receiver's strand width, at least 1e-4 of the casters' radius."};
+    Choice filter{*this,
+                  "filter",
+                  {"box", "none", "bartlett", "gaussian", "pcf"},
+                  "Weights of the texels around a receiver; none: the nearest texel; pcf: 4 x 4 "
+                  "points."};
+    Param<double> filter_radius{*this,
+                                "filter_radius",
+                                0.5,
+                                {0.0, 32.0},
+                                "Texels from the middle of the filter to its edge; box at 0.5 is "
+                                "bilinear."};
+    AutoParam<double> filter_width{
+        *this,
+        "filter_width",
+        {0.0, 1e9},
+        "World units from edge to edge of the filter, the same for every map "
+        "size, at most 64 texels; auto: twice filter_radius."};
+    Choice filter_domain{*this,
+                         "filter_domain",
+                         {"transmittance", "density"},
+                         "What is averaged: T, or optical depth as if casters filled the filter "
+                         "evenly."};
 
    protected:
     // What build returns for a shader that includes lib/lookup.glsl: its own reads and those of
     // that file.
-    Reads look_up(const ShadowInputs& inputs, Reads reads) const;
+    LookUp look_up(const ShadowInputs& inputs, Reads reads,
+                   std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu = {}) const;
 };
 
 // The names in the registry, in its order.

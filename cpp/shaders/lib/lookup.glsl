@@ -1,35 +1,87 @@
-// What every map shares in the look-up: the front test, the opaque depth map, and the mean of T
-// over the four nearest texels (of T, not of optical depth: the mean of T is what a footprint lets
-// through). Include it after defining
-//     float texel_transmittance(ivec2 texel, float depth)
-// the fraction of light that passes the translucent casters of one texel in front of a depth.
+// What every map shares in the look-up: the front test, the opaque depth map, and the filter. By
+// default the mean is of T, not of optical depth: it is what a footprint lets through. Include it
+// after defining
+//     float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own)
+// what the translucent casters of one texel have in front of a depth, without the receiver's own
+// part of it. C++: map/lookup.hpp.
+#include "lib/filter.glsl"
 #include "lib/light.glsl"
+#include "lib/receiver.glsl"
 
 uniform sampler2D t_opaque_depth;
 uniform float u_bias;              // world units; negative: automatic
-uniform float u_receiver_width;    // world units: a strand does not shadow its own neighbourhood
 uniform float u_light_least_bias;  // world units
 
-float texel_or_opaque(ivec2 texel, float depth) {
-    // A map of up to three texels has no border: its outer texels stand for what lies beside them.
+// Sums over the taps of a look-up. Weights are divided by their sum, so that T = 1 stays 1 exactly.
+struct Taps {
+    float weight;
+    float lit;            // weight of those that no opaque caster darkens
+    float transmittance;  // weight times T
+    float optical_depth;  // weight times optical depth
+};
+
+// A map of up to three texels has no border: its outer texels stand for what lies beside them.
+// Elsewhere nothing casts outside.
+void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float weight) {
     if (u_light_map_size_px < 4) texel = clamp(texel, ivec2(0), ivec2(u_light_map_size_px - 1));
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(u_light_map_size_px)))) return 1.0;
-    if (texelFetch(t_opaque_depth, texel, 0).x < min(depth, 1.0)) return 0.0;
-    return texel_transmittance(texel, depth);
+    taps.weight += weight;
+    float optical_depth = 0.0;
+    if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
+        if (texelFetch(t_opaque_depth, texel, 0).x < min(depth, 1.0)) return;
+        optical_depth = max(0.0, texel_optical_depth(texel, depth, own_deposit(receiver, texel)));
+    }
+    taps.lit += weight;
+    taps.transmittance += weight * exp(-optical_depth);
+    taps.optical_depth += weight * optical_depth;
 }
 
-float shadow_transmittance(vec3 p_ls) {
-    float bias = (u_bias < 0.0 ? max(u_receiver_width, u_light_least_bias) : u_bias) / u_light_depth_range;
-    float depth = p_ls.z - bias;
+Taps filtered_taps(Receiver receiver, float depth) {
+    Taps taps = Taps(0.0, 0.0, 0.0, 0.0);
+    vec2 p = receiver.p_ls.xy;
+#if defined(FILTER_bilinear)
+    // A box of one texel, unrolled: most look-ups are this.
+    ivec2 first = ivec2(floor(p - 0.5));
+    vec2 above = p - 0.5 - vec2(first), below = 1.0 - above;
+    add_tap(taps, receiver, first, depth, below.x * below.y);
+    add_tap(taps, receiver, first + ivec2(1, 0), depth, above.x * below.y);
+    add_tap(taps, receiver, first + ivec2(0, 1), depth, below.x * above.y);
+    add_tap(taps, receiver, first + ivec2(1, 1), depth, above.x * above.y);
+#elif defined(FILTER_none)
+    add_tap(taps, receiver, ivec2(floor(p)), depth, 1.0);
+#elif defined(FILTER_pcf)
+    // 4 x 4 points (Bunnell and Pellacini 2004; thesis, section 3.5): at a radius of two texels they
+    // are neighbours.
+    float radius = filter_radius_texels(u_light_texels_per_unit);
+    for (int i = 0; i < 16; ++i) {
+        vec2 offset = (vec2(i % 4, i / 4) - 1.5) * (0.5 * radius);
+        add_tap(taps, receiver, ivec2(floor(p + offset)), depth, 1.0 / 16.0);
+    }
+#else
+    float radius = filter_radius_texels(u_light_texels_per_unit);
+    ivec2 first = ivec2(floor(p - radius)), last = ivec2(ceil(p + radius)) - 1;
+    for (int y = first.y; y <= last.y; ++y) {
+        float weight_y = filter_weight(float(y) - p.y, radius);
+        for (int x = first.x; x <= last.x; ++x)
+            add_tap(taps, receiver, ivec2(x, y), depth, weight_y * filter_weight(float(x) - p.x, radius));
+    }
+#endif
+    return taps;
+}
+
+float shadow_transmittance(Receiver receiver) {
+    float bias = u_bias < 0.0 ? max(receiver.width, u_light_least_bias) : u_bias;
+    float depth = receiver.p_ls.z - bias / u_light_depth_range;
     // Also false for a coordinate that is not finite: T = 1, never NaN.
-    if (!(depth > 0.0 && all(greaterThan(p_ls.xy, vec2(-1.0))) &&
-          all(lessThan(p_ls.xy, vec2(u_light_map_size_px + 1)))))
+    float reach = largest_filter_radius + 1.0;
+    if (!(depth > 0.0 && all(greaterThan(receiver.p_ls.xy, vec2(-reach))) &&
+          all(lessThan(receiver.p_ls.xy, vec2(float(u_light_map_size_px) + reach)))))
         return 1.0;
-    vec2 corner = p_ls.xy - 0.5;
-    ivec2 texel = ivec2(floor(corner));
-    vec2 weight = corner - vec2(texel);
-    float t00 = texel_or_opaque(texel, depth), t10 = texel_or_opaque(texel + ivec2(1, 0), depth);
-    float t01 = texel_or_opaque(texel + ivec2(0, 1), depth);
-    float t11 = texel_or_opaque(texel + ivec2(1, 1), depth);
-    return mix(mix(t00, t10, weight.x), mix(t01, t11, weight.x), weight.y);
+    Taps taps = filtered_taps(receiver, depth);
+#ifdef DENSITY_FILTER
+    // The density interpretation (Jansen and Bavoil 2010, section 6), of what no opaque caster hides.
+    if (!(taps.lit > 0.0)) return 0.0;
+    return taps.lit / taps.weight * exp(-taps.optical_depth / taps.lit);
+#else
+    return taps.transmittance / taps.weight;
+#endif
 }

@@ -21,3 +21,7 @@ int layer_of(float x) {
     }
     return low;
 }
+
+// A layer's optical depth is taken to grow evenly from one plane to the next. The part of a caster
+// in layer `own` that a look-up in `layer`, so far `along` it, has counted.
+float counted(int own, int layer, float along) { return own < layer ? 1.0 : own > layer ? 0.0 : along; }

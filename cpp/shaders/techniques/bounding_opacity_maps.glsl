@@ -9,19 +9,15 @@ uniform sampler2D t_start, t_end;
 
 layout(location = 0) out vec4 o_planes[TARGETS];
 
-#ifdef BLOCK_STRIDE
 // The split search looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks,
 // since rasterisers skip those that are discarded whole.
 bool is_sampled(ivec2 texel) { return all(equal((texel / 4) % BLOCK_STRIDE, ivec2(0))); }
-#endif
 
 // A fragment counts at every plane behind its own layer: plane k is channel (k - 1) % 4 of target
 // (k - 1) / 4.
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-#ifdef BLOCK_STRIDE
     if (!is_sampled(texel)) discard;
-#endif
     Deposit deposit = deposit_or_discard();
     float start = texelFetch(t_start, texel, 0).x, end = texelFetch(t_end, texel, 0).x;
     int layer = layer_of(between(start, end, deposit.depth));
@@ -32,6 +28,8 @@ void main() {
 }
 #else
 
+#include "lib/receiver.glsl"
+
 uniform sampler2D t_start, t_end;
 uniform sampler2DArray t_opacity;
 
@@ -40,15 +38,17 @@ float plane_optical_depth(ivec2 texel, int k) {
     return k == 0 ? 0.0 : texelFetch(t_opacity, ivec3(texel, (k - 1) / 4), 0)[(k - 1) % 4];
 }
 
-float texel_transmittance(ivec2 texel, float depth) {
+float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
     float start = texelFetch(t_start, texel, 0).x;
-    if (!(depth > start)) return 1.0;
+    if (!(depth > start)) return 0.0;
     float end = texelFetch(t_end, texel, 0).x;
-    if (depth >= end) return exp(-plane_optical_depth(texel, u_layers));
+    if (depth >= end) return plane_optical_depth(texel, u_layers) - own.optical_depth;
     float x = between(start, end, depth);
     int layer = layer_of(x);
     float along = (x - u_planes[layer]) / (u_planes[layer + 1] - u_planes[layer]);
-    return exp(-mix(plane_optical_depth(texel, layer), plane_optical_depth(texel, layer + 1), along));
+    float before = plane_optical_depth(texel, layer), behind = plane_optical_depth(texel, layer + 1);
+    float own_part = counted(layer_of(between(start, end, own.depth)), layer, along);
+    return mix(before, behind, along) - own.optical_depth * own_part;
 }
 
 #include "lib/lookup.glsl"

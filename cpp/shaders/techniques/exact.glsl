@@ -105,10 +105,12 @@ void main() {
 #endif
 
 #if !defined(PASS_count) && !defined(PASS_store) && !defined(PASS_sort)
+#include "lib/receiver.glsl"
+
 uniform usampler2D t_first, t_count;
 uniform sampler2D t_list;
 
-float texel_transmittance(ivec2 texel, float depth) {
+float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
     uint first = texelFetch(t_first, texel, 0).x;
     uint low = 0u, high = texelFetch(t_count, texel, 0).x;
     while (low < high) {  // the number of fragments strictly in front
@@ -116,7 +118,7 @@ float texel_transmittance(ivec2 texel, float depth) {
         if (texelFetch(t_list, list_place(first + middle), 0).x < depth) low = middle + 1u;
         else high = middle;
     }
-    return low == 0u ? 1.0 : exp(-texelFetch(t_list, list_place(first + low - 1u), 0).y);
+    return low == 0u ? 0.0 : texelFetch(t_list, list_place(first + low - 1u), 0).y;
 }
 
 #include "lib/lookup.glsl"

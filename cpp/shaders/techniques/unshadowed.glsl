@@ -1,3 +1,4 @@
 // No shadow at all: the baseline of every timing.
+#include "lib/receiver.glsl"
 
-float shadow_transmittance(vec3 p_ls) { return 1.0; }
+float shadow_transmittance(Receiver receiver) { return 1.0; }

@@ -9,14 +9,16 @@
 namespace opacity::bindings {
 namespace {
 
+// Without a context it runs on the CPU.
 std::unique_ptr<Renderer> make_renderer(std::shared_ptr<Scene> scene, const Camera& camera,
                                         std::shared_ptr<Technique> technique,
-                                        const LoggedContext& context) {
+                                        const LoggedContext* context) {
     std::unique_ptr<Renderer> renderer;
     {
         const py::gil_scoped_release release;
-        renderer = std::make_unique<Renderer>(std::move(scene), camera, std::move(technique),
-                                              context.context);
+        renderer = std::make_unique<Renderer>(
+            context ? Renderer{std::move(scene), camera, std::move(technique), context->context}
+                    : Renderer::on_cpu(std::move(scene), std::move(technique)));
     }
     check_signals();
     // Ctrl-C stops a long frame at its next pass.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "core/number_text.hpp"
@@ -41,7 +42,7 @@ void ParamBase::reject(const ParamValue& value, const std::string& problem) cons
 }
 
 void ParamBase::reject_type(const ParamValue& value) const {
-    reject(value, std::string{"not "} + (type() == "int" ? "an " : "a ") + type());
+    reject(value, std::string{"not "} + (type().starts_with("int") ? "an " : "a ") + type());
 }
 
 ParamBase& ParamOwner::param(std::string_view name) const {
@@ -139,31 +140,60 @@ void Choice::assign(const ParamValue& value) {
     touch();
 }
 
-std::string AutoParam::number_range() const {
-    return number_text(range_.min) + ".." + number_text(range_.max);
+template <>
+std::string AutoParam<int>::type() const {
+    return "int or \"auto\"";
 }
-
-std::string AutoParam::range() const {
+template <>
+std::string AutoParam<double>::type() const {
+    return "float or \"auto\"";
+}
+template <class T>
+std::string AutoParam<T>::number_range() const {
+    return number_text(double(range_.min)) + ".." + number_text(double(range_.max));
+}
+template <class T>
+std::string AutoParam<T>::range() const {
     return "\"auto\" or " + number_range();
 }
-
-ParamValue AutoParam::value() const {
-    if (is_auto()) return std::string{"auto"};
-    return value_;
+template <class T>
+ParamValue AutoParam<T>::shown(T value) {
+    if (value < T(0)) return std::string{"auto"};
+    if constexpr (std::is_same_v<T, int>)
+        return std::int64_t{value};
+    else
+        return value;
 }
 
-void AutoParam::assign(const ParamValue& value) {
-    double number = -1.0;
+template <class T>
+void AutoParam<T>::assign(const ParamValue& value) {
+    T converted = automatic;
+    double number = 0.0;
     if (const auto* text = std::get_if<std::string>(&value)) {
         if (*text != "auto") reject_type(value);
     } else if (!as_double(value, number)) {
         reject_type(value);
-    } else if (!(number >= range_.min && number <= range_.max)) {
+    } else if (!(number >= double(range_.min) && number <= double(range_.max))) {
         reject(value, "outside " + number_range());
+    } else {
+        converted = static_cast<T>(number);
+        if (double(converted) != number) reject_type(value);
     }
-    if (number == value_) return;
-    value_ = number;
+    if (converted == value_) return;
+    value_ = converted;
     touch();
 }
+
+template <>
+void AutoParam<int>::feed(Feeder& feeder) const {
+    feeder.uniform("u_" + name(), value_);
+}
+template <>
+void AutoParam<double>::feed(Feeder& feeder) const {
+    feeder.uniform("u_" + name(), float(value_));
+}
+
+template class AutoParam<int>;
+template class AutoParam<double>;
 
 }  // namespace opacity

@@ -213,6 +213,13 @@ std::string FrameGraph::why_again(const Record& last, const Record& now) {
     return last.same_input(now) ? "its output was described anew" : "other reads or targets";
 }
 
+void FrameGraph::run_on_cpu(const Pass& pass, PassContext& context) {
+    if (!pass.on_cpu)
+        throw ParameterError("\"" + pass.name + "\" runs on a GPU only",
+                             "choose device=\"gpu\", or another technique");
+    pass.on_cpu(context);
+}
+
 std::string FrameGraph::execute(const Pass& pass, bool clear_only) {
     for (const Source* output : all_outputs(pass))
         if (const auto* texture = dynamic_cast<const Texture*>(output)) allocate(*texture);
@@ -221,6 +228,8 @@ std::string FrameGraph::execute(const Pass& pass, bool clear_only) {
     if (clear_only) {
         for (Resource* store : pass.stores)
             if (auto* texture = dynamic_cast<Texture*>(store)) context.zero(*texture);
+    } else if (!device_.runs_shaders() && pass.shader != Shader{}) {
+        run_on_cpu(pass, context);
     } else if (pass.execute) {
         pass.execute(context);
     } else {

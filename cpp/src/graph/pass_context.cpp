@@ -65,6 +65,18 @@ void PassContext::read_bytes(const Resource& resource, std::span<std::byte> cont
     graph_.device_.read(resource, content);
 }
 
+std::span<std::byte> PassContext::memory_bytes(const Resource& resource) {
+    const auto holds = [&](const auto& sources) {
+        return std::find(sources.begin(), sources.end(), &resource) != sources.end();
+    };
+    const bool is_target =
+        std::any_of(pass_.writes.begin(), pass_.writes.end(),
+                    [&](const Target& target) { return target.texture == &resource; });
+    if (!is_target && !holds(pass_.reads) && !holds(pass_.stores))
+        undeclared(pass_, resource, "uses", "reads");
+    return graph_.device_.memory(resource);
+}
+
 void PassContext::require_value(const Source& value) const {
     if (std::find(pass_.values.begin(), pass_.values.end(), &value) == pass_.values.end())
         undeclared(pass_, value, "sets", "values");

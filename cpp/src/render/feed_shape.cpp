@@ -55,6 +55,7 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
         feeder.uniform("u_color_stride", gpu.color_stride);
         feeder.uniform("u_receives", gpu.receives);
         feeder.uniform("u_opaque", gpu.opaque);
+        feeder.uniform("u_deposits", gpu.deposits);
     }
     if (pass.view) feed_view(feeder, *pass.view, gpu);
     for (const Source* read : pass.reads)

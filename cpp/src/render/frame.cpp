@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "map/fragments.hpp"
+#include "map/lookup.hpp"
+
 namespace opacity::render {
 namespace {
 
 // Questions are asked in parts: a storage buffer may end at 128 MiB.
-constexpr std::size_t most_points = std::size_t{1} << 22;
+constexpr std::size_t most_receivers = std::size_t{1} << 21;
 
 // Reversed and without a far plane: depth is near / distance, which float32 resolves over any
 // range. Rows go down, so that the first row read back is the top of the picture.
@@ -28,6 +31,15 @@ double near_distance(const Scene& scene) {
     return 1e-6 * std::max(scene.bounds().radius(), 1e-20);
 }
 
+// What the look-up's defines and uniforms say, for its form in C++.
+Filter filter_of(const Technique& technique, const LightSpace& space) {
+    const double width = technique.filter_width.is_auto()
+                             ? 2.0 * technique.filter_radius.get()
+                             : technique.filter_width.get() * space.texels_per_unit;
+    return {filter_kernel(technique.filter.get()), float(0.5 * width),
+            technique.filter_domain.is("density")};
+}
+
 // The rotation of a rigid matrix, by columns.
 std::vector<float> rotation_of(const double4x4& m) {
     return {float(m[0]), float(m[4]), float(m[8]), float(m[1]), float(m[5]),
@@ -41,11 +53,12 @@ void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
     const auto& lights = inputs.scene.lights();
     const DirectionalLight& light = lights.empty() ? no_light : *lights.front();
     lists_.update(inputs.scene);
-    const LightSpace space = fit_.fit(inputs.scene, light, inputs.settings.map_size.get(), query);
-    light_.update(space.from_world, {{"u_light_map_size_px", space.map_size_px},
-                                     {"u_light_depth_range", float(space.depth_range)},
-                                     {"u_light_texels_per_unit", float(space.texels_per_unit)},
-                                     {"u_light_least_bias", float(space.least_bias)}});
+    space_ = fit_.fit(
+        inputs.scene, light, [&](double side) { return map_size_px(inputs, side); }, query);
+    light_.update(space_.from_world, {{"u_light_map_size_px", space_.map_size_px},
+                                      {"u_light_depth_range", float(space_.depth_range)},
+                                      {"u_light_texels_per_unit", float(space_.texels_per_unit)},
+                                      {"u_light_least_bias", float(space_.least_bias)}});
 
     const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
     const double4x4 view = inputs.camera.view_from_world();
@@ -60,40 +73,76 @@ void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
                   {"u_light_color", floats(light.color(), light.intensity())}});
 }
 
+int Frame::map_size_px(const FrameInputs& inputs, double side) {
+    map_size_reason_.clear();
+    if (!inputs.settings.map_size.is_auto()) return inputs.settings.map_size.get();
+    const MapSize chosen =
+        map_size_rule_.choose(inputs.scene, side, inputs.technique->filter_width.get());
+    map_size_reason_ = std::to_string(chosen.size_px) + " texels: " + chosen.why;
+    return chosen.size_px;
+}
+
+// Says in the report what was chosen before any pass could be declared, and why.
+const Source& Frame::add_map_size() {
+    auto& size_px = graph_.value("map_size", 0);
+    graph_.add({.name = "map_size",
+                .only_with = &lists_.translucent,
+                .reads = {&light_, &technique_->filter_width},
+                .values = {&size_px},
+                .execute = [this, &size_px](PassContext& context) {
+                    context.set(size_px, space_.map_size_px);
+                    context.note(map_size_reason_);
+                }});
+    return size_px;
+}
+
 Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
     technique_ = inputs.technique;
     update_sources(inputs, query);
     device_.collect();
+    casters_.collect();
     graph_.begin();
-    const int map_size_px = inputs.settings.map_size.get();
-    Texture& opaque_depth = add_opaque_depth(map_size_px);
-    Reads lookup;
-    std::string look_up_shader = "techniques/unshadowed.glsl";  // without a light
-    if (!inputs.scene.lights().empty()) {
-        look_up_shader = technique_->shader_path();
-        const FrameGraph::Scope scope{graph_, technique_->name()};
-        lookup = technique_->build(graph_, {light_, lists_.translucent, opaque_depth,
-                                            !lists_.opaque.shapes().empty(), map_size_px});
-    }
-    lookup.push_back(&light_);  // lighting places every vertex in the light's map
-    Texture& image = add_lighting(inputs, lookup, look_up_shader);
-    return {image, add_transmittance(lookup, look_up_shader)};
+    ShadowLookUp look_up = add_shadows(inputs);
+    own_correction_ = look_up.own_correction;
+    if (!map_size_reason_.empty()) look_up.reads.push_back(&add_map_size());
+    look_up.reads.push_back(&light_);  // lighting places every vertex in the light's map
+    Texture& image = add_lighting(inputs, look_up);
+    return {image, add_transmittance(look_up)};
 }
 
-Texture& Frame::add_opaque_depth(int map_size_px) {
+Frame::ShadowLookUp Frame::add_shadows(const FrameInputs& inputs) {
+    Texture& opaque_depth = add_opaque_depth();
+    if (inputs.scene.lights().empty()) return {};
+    const FrameGraph::Scope scope{graph_, technique_->name()};
+    const bool has_opaque = !lists_.opaque.shapes().empty();
+    const bool paper_deposit = technique_->deposit_rule.is("paper");
+    return {technique_->build(graph_, {light_, lists_.translucent, opaque_depth, has_opaque,
+                                       paper_deposit, space_, casters_}),
+            technique_->shader_path(), &opaque_depth};
+}
+
+Texture& Frame::add_opaque_depth() {
     Texture& opaque_depth = graph_.texture(
-        "opaque_depth", {.format = Format::depth32f, .width = map_size_px, .height = map_size_px});
+        "opaque_depth",
+        {.format = Format::depth32f, .width = space_.map_size_px, .height = space_.map_size_px});
     graph_.add({.name = "opaque_depth",
                 .shader = {.vertex = "casters.vert.glsl", .fragment = "bounds.frag.glsl"},
                 .draws = &lists_.opaque,
                 .view = &light_,
                 .writes = {&opaque_depth},
-                .state = {.depth = Depth::less, .clear_depth = 1.f}});
+                .state = {.depth = Depth::less, .clear_depth = 1.f},
+                .on_cpu = [this, &opaque_depth](PassContext& context) {
+                    const std::span<float> depth = context.memory<float>(opaque_depth);
+                    const FragmentSource opaque{casters_, lists_.opaque.shapes(), space_, {}, false,
+                                                false};
+                    for_each_fragment(opaque, [&](const Fragment& fragment) {
+                        depth[fragment.texel] = std::min(depth[fragment.texel], fragment.depth);
+                    });
+                }});
     return opaque_depth;
 }
 
-Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup,
-                             const std::string& look_up_shader) {
+Texture& Frame::add_lighting(const FrameInputs& inputs, const ShadowLookUp& look_up) {
     const RenderSettings& settings = inputs.settings;
     TextureDesc picture{.format = Format::rgba32f,
                         .width = settings.width.get(),
@@ -102,14 +151,20 @@ Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup,
     Texture& image = graph_.texture("image", picture);
     picture.format = Format::depth32f;
     Texture& depth = graph_.texture("camera_depth", picture);
-    Reads reads = lookup;
+    Reads reads = look_up.reads;
+    Defines defines = look_up.defines;
+    if (look_up.own_correction) {
+        reads.push_back(&lists_.visible.opacity);
+        defines.emplace_back("OWN_CORRECTION", "1");
+    }
     reads.insert(reads.end(), {&lists_.visible.color, &lamp_, &settings.ambient, &settings.specular,
                                &settings.shininess});
     const float4& b = inputs.background;
     graph_.add({.name = "lighting",
                 .shader = {.vertex = "lighting.vert.glsl",
                            .fragment = "lighting.frag.glsl",
-                           .technique = look_up_shader},
+                           .technique = look_up.shader,
+                           .defines = std::move(defines)},
                 .draws = &lists_.visible,
                 .view = &camera_,
                 .reads = std::move(reads),
@@ -120,32 +175,50 @@ Texture& Frame::add_lighting(const FrameInputs& inputs, const Reads& lookup,
     return image;
 }
 
-Buffer& Frame::add_transmittance(const Reads& lookup, const std::string& look_up_shader) {
-    Buffer& points = graph_.buffer("points_ls");
+Buffer& Frame::add_transmittance(const ShadowLookUp& look_up) {
+    Buffer& receivers = graph_.buffer("receivers");
     Buffer& result = graph_.buffer("transmittance");
-    Reads reads = lookup;
+    Reads reads = look_up.reads;
     reads.push_back(&query_);
-    graph_.add({.name = "transmittance",
-                .shader = {.compute = "transmittance.comp.glsl", .technique = look_up_shader},
-                .reads = std::move(reads),
-                .stores = {&points, &result},
-                .execute = [this, &points, &result](PassContext& context) {
-                    transmittance_.clear();
-                    for (std::size_t first = 0; first < query_points_ls_.size();
-                         first += 4 * most_points)
-                        ask(context, points, result, first);
-                }});
+    graph_.add(
+        {.name = "transmittance",
+         .shader = {.compute = "transmittance.comp.glsl",
+                    .technique = look_up.shader,
+                    .defines = look_up.defines},
+         .reads = std::move(reads),
+         .stores = {&receivers, &result},
+         .execute =
+             [this, &receivers, &result](PassContext& context) {
+                 transmittance_.clear();
+                 for (std::size_t i = 0; i < receivers_.size(); i += most_receivers)
+                     ask(context, receivers, result, i);
+             },
+         .on_cpu = [this, look_up](PassContext& context) { look_up_all(context, look_up); }});
     return result;
 }
 
-void Frame::ask(PassContext& context, Buffer& points, Buffer& result, std::size_t first) {
-    const std::span<const float> part = std::span{query_points_ls_}.subspan(
-        first, std::min(4 * most_points, query_points_ls_.size() - first));
-    const int count = int(part.size() / 4);
-    context.resize(points, part.size_bytes());
+void Frame::look_up_all(PassContext& context, const ShadowLookUp& look_up) {
+    transmittance_.assign(receivers_.size(), 1.f);
+    if (!look_up.on_cpu) return;
+    const std::unique_ptr<TexelMap> map = look_up.on_cpu(context);
+    const MapLookUp answers{space_, *map, context.memory<float>(*look_up.opaque_depth),
+                            filter_of(*technique_, space_), technique_->bias.get()};
+    constexpr std::size_t part = 4096;
+    parallel_for((receivers_.size() + part - 1) / part, [&](std::size_t k) {
+        const std::size_t end = std::min(receivers_.size(), (k + 1) * part);
+        for (std::size_t i = k * part; i < end; ++i)
+            transmittance_[i] = answers.transmittance(receivers_[i], receiver_width_);
+    });
+}
+
+void Frame::ask(PassContext& context, Buffer& receivers, Buffer& result, std::size_t first) {
+    const std::span<const Receiver> part =
+        std::span{receivers_}.subspan(first, std::min(most_receivers, receivers_.size() - first));
+    const int count = int(part.size());
+    context.resize(receivers, part.size_bytes());
     context.resize(result, count * sizeof(float));
-    context.write(points, std::as_bytes(part));
-    context.dispatch(count, {{"u_point_count", count}, {"u_receiver_width", query_width_}});
+    context.write(receivers, std::as_bytes(part));
+    context.dispatch(count, {{"u_receiver_count", count}, {"u_receiver_width", receiver_width_}});
     const std::vector<float> answers = context.read<float>(result);
     transmittance_.insert(transmittance_.end(), answers.begin(), answers.end());
 }
@@ -156,16 +229,10 @@ void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
     device_.read(goals.image, std::as_writable_bytes(rgba));
 }
 
-std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Positions& world_points,
-                                        double receiver_width) {
-    const Goals goals = declare(inputs, world_points.bounds());
-    query_points_ls_.resize(4 * world_points.size());
-    for (std::size_t i = 0; i < world_points.size(); ++i) {
-        const double3 p = transform_point(light_.from_world(), world_points[i]);
-        for (int axis = 0; axis < 3; ++axis) query_points_ls_[4 * i + axis] = float(p[axis]);
-        query_points_ls_[4 * i + 3] = 0.f;
-    }
-    query_width_ = float(receiver_width);
+std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Query& query) {
+    const Goals goals = declare(inputs, query.world_points.bounds());
+    receivers_ = receivers(query, space_, own_correction_);
+    receiver_width_ = float(query.width);
     query_.touch();
     graph_.run(goals.transmittance);
     return transmittance_;

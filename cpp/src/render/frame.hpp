@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "map/light_casters.hpp"
+#include "map/receiver.hpp"
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/renderer.hpp"
-#include "render/gl_device.hpp"
 #include "render/scene_lists.hpp"
 #include "scene/light_fit.hpp"
+#include "scene/map_size.hpp"
 
 namespace opacity::render {
 
@@ -25,40 +27,51 @@ struct FrameInputs {
 
 class Frame {
    public:
-    explicit Frame(GlDevice& device) : device_{device}, graph_{device} {}
+    explicit Frame(Device& device) : device_{device}, graph_{device} {}
 
     void render(const FrameInputs& inputs, std::span<float> rgba);
-    // A receiver of this strand width, in world units; 0 for a surface.
-    std::vector<float> transmittance(const FrameInputs& inputs, const Positions& world_points,
-                                     double receiver_width);
+    std::vector<float> transmittance(const FrameInputs& inputs, const Query& query);
     FrameGraph& graph() { return graph_; }
-    const double4x4& light_from_world() const { return light_.from_world(); }
+    const double4x4& light_from_world() const { return space_.from_world; }
 
    private:
     // What the two goals of a frame are written to.
     struct Goals {
         const Resource &image, &transmittance;
     };
+    // How T is looked up, and the shader that defines shadow_transmittance.
+    struct ShadowLookUp : LookUp {
+        std::string shader = "techniques/unshadowed.glsl";
+        const Texture* opaque_depth = nullptr;
+    };
     Goals declare(const FrameInputs& inputs, const Box& query);
     void update_sources(const FrameInputs& inputs, const Box& query);
-    Texture& add_opaque_depth(int map_size_px);
-    // `look_up_shader` defines shadow_transmittance, and takes what `lookup` feeds.
-    Texture& add_lighting(const FrameInputs& inputs, const Reads& lookup,
-                          const std::string& look_up_shader);
-    // Points from `first` on, as many as fit one storage buffer.
-    void ask(PassContext& context, Buffer& points, Buffer& result, std::size_t first);
-    Buffer& add_transmittance(const Reads& lookup, const std::string& look_up_shader);
+    int map_size_px(const FrameInputs& inputs, double side);
+    const Source& add_map_size();
+    Texture& add_opaque_depth();
+    ShadowLookUp add_shadows(const FrameInputs& inputs);
+    Texture& add_lighting(const FrameInputs& inputs, const ShadowLookUp& look_up);
+    // Receivers from `first` on, as many as fit one storage buffer.
+    void ask(PassContext& context, Buffer& receivers, Buffer& result, std::size_t first);
+    Buffer& add_transmittance(const ShadowLookUp& look_up);
+    // What the pass does on the CPU.
+    void look_up_all(PassContext& context, const ShadowLookUp& look_up);
 
-    GlDevice& device_;
+    Device& device_;
     // The passes declared last refer to its parameters.
     std::shared_ptr<Technique> technique_;
     SceneLists lists_;
     LightFit fit_;
     View light_{"light"}, camera_{"camera"};
     UniformSet lamp_{"light_color"};
-    UniformSet query_{"query_points"};
-    std::vector<float> query_points_ls_;  // four floats a point
-    float query_width_ = 0.f;
+    LightSpace space_;
+    MapSizeRule map_size_rule_;
+    std::string map_size_reason_;  // empty: the caller chose
+    LightCasters casters_;
+    bool own_correction_ = false;
+    UniformSet query_{"receivers"};
+    std::vector<Receiver> receivers_;
+    float receiver_width_ = 0.f;
     std::vector<float> transmittance_;
     FrameGraph graph_;  // last: it frees its resources while the rest is alive
 };

@@ -37,8 +37,7 @@ class GlDevice : public Device {
     void read(const Resource& resource, std::span<std::byte> content) override;
     void finish() override;
 
-    // Forgets the buffers of shapes that no scene holds any more.
-    void collect() { shapes_.collect(); }
+    void collect() override { shapes_.collect(); }
 
    private:
     // The texture, and where it is oversampled the larger one that is drawn into.

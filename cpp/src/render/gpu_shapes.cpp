@@ -52,6 +52,7 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     gpu.width_scale = float(shape.scale());
     gpu.receives = shape.receives();
     gpu.opaque = shape.opaque();
+    gpu.deposits = shape.is_caster() && !gpu.opaque;
     gpu.receiver_width = float(shape.strand_width());
     upload_geometry(gpu, shape);
     upload_appearance(gpu, shape);

@@ -5,22 +5,23 @@
 #include <cmath>
 
 #include "opacity/core/error.hpp"
+#include "render/cpu_device.hpp"
 #include "render/frame.hpp"
 #include "render/gl_device.hpp"
-#include "scene/bias.hpp"
 
 namespace opacity {
+
 struct Renderer::Impl {
     std::shared_ptr<Scene> scene;
     Camera camera;
     std::shared_ptr<Technique> technique;
-    std::shared_ptr<gl::Context> context;
+    std::shared_ptr<gl::Context> context;  // none: on the CPU
     RenderSettings settings;
     float4 background{0.f, 0.f, 0.f, 0.f};
     std::int64_t most_texels = 0;  // along a side of a texture
 
     // Made with the context current; what they own may be freed without it (gl/object.hpp).
-    std::unique_ptr<render::GlDevice> device;
+    std::unique_ptr<Device> device;
     std::unique_ptr<render::Frame> frame;
 
     Impl(std::shared_ptr<Scene> s, const Camera& c, std::shared_ptr<Technique> t,
@@ -29,26 +30,34 @@ struct Renderer::Impl {
         if (!scene)
             throw ParameterError("the renderer got no scene", "pass a Scene; an empty one will do");
         if (!technique) technique = make_technique("bounding_opacity_maps");
-        if (!context) context = gl::Context::headless();
-        const gl::Context::Use use{*context};
-        for (const auto& [name, limit] : context->limits())
-            if (name == "texture size") most_texels = limit;
-        device = std::make_unique<render::GlDevice>(context);
+        const auto use = current();
+        if (context) {
+            for (const auto& [name, limit] : context->limits())
+                if (name == "texture size") most_texels = limit;
+            device = std::make_unique<render::GlDevice>(context);
+        } else {
+            device = std::make_unique<render::CpuDevice>();
+        }
         frame = std::make_unique<render::Frame>(*device);
+    }
+
+    // Makes the context current, if there is one, as long as the result lives.
+    std::unique_ptr<gl::Context::Use> current() const {
+        return context ? std::make_unique<gl::Context::Use>(*context) : nullptr;
+    }
+
+    gl::Context& require_context() const {
+        if (!context)
+            throw ContextError("the renderer was made for the CPU, and has no OpenGL context",
+                               "make one with device=\"gpu\"; on the CPU ask for transmittance");
+        return *context;
     }
 
     render::FrameInputs inputs() const { return {*scene, camera, technique, settings, background}; }
 
-    std::vector<float> transmittance(const Positions& world_points, int light,
-                                     double receiver_width) {
-        check_light(light);
-        const std::size_t bad = world_points.first_bad();
-        if (bad < world_points.size())
-            throw ParameterError(
-                "points[" + std::to_string(bad) + "] is not finite, or larger than 1e18",
-                "remove or repair the point");
-        const gl::Context::Use use{*context};
-        return frame->transmittance(inputs(), world_points, receiver_width);
+    std::vector<float> transmittance(const Query& query) {
+        const auto use = current();
+        return frame->transmittance(inputs(), query);
     }
 
     // The picture is drawn oversampled: both together must fit a texture.
@@ -79,7 +88,13 @@ struct Renderer::Impl {
 Renderer::Renderer(std::shared_ptr<Scene> scene, const Camera& camera,
                    std::shared_ptr<Technique> technique, std::shared_ptr<gl::Context> context)
     : impl_{std::make_unique<Impl>(std::move(scene), camera, std::move(technique),
-                                   std::move(context))} {}
+                                   context ? std::move(context) : gl::Context::headless())} {}
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_{std::move(impl)} {}
+Renderer Renderer::on_cpu(std::shared_ptr<Scene> scene, std::shared_ptr<Technique> technique) {
+    const Camera unused = Camera::look_at({0, -1, 0}, {0, 0, 0});
+    return Renderer{
+        std::make_unique<Impl>(std::move(scene), unused, std::move(technique), nullptr)};
+}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
@@ -95,8 +110,11 @@ Technique& Renderer::technique() {
 const Camera& Renderer::camera() const {
     return impl_->camera;
 }
+bool Renderer::is_on_cpu() const {
+    return !impl_->context;
+}
 gl::Context& Renderer::context() {
-    return *impl_->context;
+    return impl_->require_context();
 }
 void Renderer::set_camera(const Camera& camera) {
     impl_->camera = camera;
@@ -145,29 +163,20 @@ void Renderer::render(std::span<float> rgba) {
         throw ParameterError("the picture has " + std::to_string(expected) +
                                  " floats, the buffer " + std::to_string(rgba.size()),
                              "pass 4 * width * height floats");
+    const gl::Context::Use use{impl_->require_context()};
     impl_->check_light(0);
     impl_->check_size();
-    const gl::Context::Use use{*impl_->context};
     impl_->frame->render(impl_->inputs(), rgba);
 }
 
 std::vector<float> Renderer::transmittance(const Positions& world_points, int light) {
-    return impl_->transmittance(world_points, light, mean_strand_width(*impl_->scene));
+    impl_->check_light(light);
+    return impl_->transmittance(Query::at(world_points, *impl_->scene));
 }
 
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
-    std::vector<double> world_points;
-    double width = 0.0;
-    {
-        const auto lock = shape.lock();
-        world_points.reserve(3 * shape.points().size());
-        for (std::size_t i = 0; i < shape.points().size(); ++i) {
-            const double3 p = transform_point(shape.transform(), shape.points()[i]);
-            world_points.insert(world_points.end(), p.begin(), p.end());
-        }
-        width = shape.strand_width();
-    }
-    return impl_->transmittance(Positions{std::move(world_points)}, light, width);
+    impl_->check_light(light);
+    return impl_->transmittance(Query::at(shape, *impl_->scene));
 }
 
 double4x4 Renderer::light_from_world() const {
@@ -190,7 +199,7 @@ void Renderer::needs_recompute() {
 }
 
 TextureContent Renderer::read(const std::string& name) const {
-    const gl::Context::Use use{*impl_->context};
+    const auto use = impl_->current();
     const Texture& texture = impl_->frame->graph().find(name);
     const TextureDesc& desc = texture.desc();
     const int scale = content_scale(desc);

@@ -103,17 +103,18 @@ void LightFit::forget_absent(const Scene& scene) {
     });
 }
 
-LightSpace LightFit::fit(const Scene& scene, const DirectionalLight& light, int map_size_px,
-                         const Box& query) {
+LightSpace LightFit::fit(const Scene& scene, const DirectionalLight& light,
+                         const MapSizePx& size_for, const Box& query) {
     const double4x4 rotation = light_rotation(light.direction());
     Extent extent = measure(scene, rotation, light.direction());
     extent.receivers.extend(query.transformed(rotation));
     forget_absent(scene);
     const Box box = crop(extent.casters, extent.receivers);
 
-    const double border = map_size_px >= 4 ? 1.0 : 0.0;
     const double side =
         std::max({box.max[0] - box.min[0], box.max[1] - box.min[1], 1e-6 * box.radius(), 1e-30});
+    const int map_size_px = size_for(side);
+    const double border = map_size_px >= 4 ? 1.0 : 0.0;
     const double texels_per_unit = (map_size_px - 2.0 * border) / side;
     const double margin = extent.surfaces ? surface_margin_texels / texels_per_unit : 0.0;
     const double range = std::max(box.max[2] - box.min[2], 1e-6 * side) + margin;

@@ -2,9 +2,11 @@
 // border, and a depth range from the first caster to the last one that matters. All in float64.
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include "opacity/scene/light.hpp"
+#include "opacity/scene/light_space.hpp"
 #include "opacity/scene/scene.hpp"
 
 namespace opacity {
@@ -12,20 +14,12 @@ namespace opacity {
 // World to a frame whose z axis is the light's direction, of length 1; x and y are the map's axes.
 double4x4 light_rotation(const double3& direction);
 
-// Light space, as lib/light.glsl tells: x and y in texels of the map, z in 0 .. 1 along the light.
-struct LightSpace {
-    double4x4 from_world = identity;
-    int map_size_px = 1;
-    double depth_range = 1.0;      // world units from z = 0 to z = 1
-    double texels_per_unit = 1.0;  // 1 / the side of a texel in world units
-    double least_bias = 0.0;       // world units
-    bool operator==(const LightSpace&) const = default;
-};
-
 class LightFit {
    public:
+    // Texels along a side of the map, for a map that spans so many world units.
+    using MapSizePx = std::function<int(double side)>;
     // `query` are world points beyond the scene's receivers that will be asked about.
-    LightSpace fit(const Scene& scene, const DirectionalLight& light, int map_size_px,
+    LightSpace fit(const Scene& scene, const DirectionalLight& light, const MapSizePx& map_size_px,
                    const Box& query);
 
    private:

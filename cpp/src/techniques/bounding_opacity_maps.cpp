@@ -4,11 +4,11 @@
 #include <cstdio>
 
 #include "opacity/core/split.hpp"
+#include "techniques/layers_on_cpu.hpp"
 
 namespace opacity::techniques {
 namespace {
 
-constexpr int planes_per_target = 4;
 constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
 
 // The histogram that the split search reads back. Cells are laid at ratio .5: fine near the light,
@@ -44,7 +44,7 @@ std::vector<float> sample_profiles(const std::vector<float>& targets, std::size_
 
 }  // namespace
 
-Reads BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
+LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     const Bounds bounds = add_bounds(graph, inputs);
     auto& planes = graph.value("planes", std::vector<float>{});
     if (split.is("auto") && layers.get() > 1)
@@ -52,7 +52,10 @@ Reads BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) 
     else
         planes.set(layer_planes(layers.get(), fixed_ratio()));
     Texture& opacity = add_layers(graph, inputs, bounds, "opacity", {layers, planes, layers.get()});
-    return look_up(inputs, {&bounds.start, &bounds.end, &opacity, &layers, &planes});
+    LookUp result = look_up(inputs, {&bounds.start, &bounds.end, &opacity, &layers, &planes},
+                            layers_look_up({bounds.start, bounds.end, opacity, planes}));
+    result.own_correction = own_correction.get() && !inputs.paper_deposit;
+    return result;
 }
 
 // One layer has no plane to place.
@@ -72,20 +75,22 @@ BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph,
                .view = &inputs.light,
                .reads = reads,
                .writes = {&start},
-               .state = {.depth = Depth::less, .clear_depth = 1.f}});
+               .state = {.depth = Depth::less, .clear_depth = 1.f},
+               .on_cpu = first_depth_on_cpu(inputs, start)});
     graph.add({.name = "end_depth",  // reversed: the farthest caster wins
                .shader = shader,
                .draws = &inputs.translucent,
                .view = &inputs.light,
                .reads = reads,
                .writes = {&end},
-               .state = {.depth = Depth::greater, .clear_depth = 0.f}});
+               .state = {.depth = Depth::greater, .clear_depth = 0.f},
+               .on_cpu = last_depth_on_cpu(inputs, end)});
     return {start, end};
 }
 
 Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
                                          const Bounds& bounds, const std::string& name,
-                                         const Planes& planes, const Defines& defines) const {
+                                         const Planes& planes, int block_stride) const {
     const int target_count = (planes.count + planes_per_target - 1) / planes_per_target;
     Texture& map = graph.texture(name, inputs.map(Format::rgba32f, target_count));
     const Reads reads =
@@ -97,17 +102,19 @@ Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& 
             writes.emplace_back(&map, target);
         const std::string part =
             first == 0 ? "" : "_" + std::to_string(first / targets_per_pass + 1);
-        Defines all = defines;
-        all.insert(all.end(), {{"PASS_opacity", "1"},
-                               {"TARGETS", std::to_string(count)},
-                               {"FIRST_TARGET", std::to_string(first)}});
+        const Defines defines{{"PASS_opacity", "1"},
+                              {"TARGETS", std::to_string(count)},
+                              {"FIRST_TARGET", std::to_string(first)},
+                              {"BLOCK_STRIDE", std::to_string(block_stride)}};
         graph.add({.name = name + part,
-                   .shader = inputs.caster_shader(shader_path(), true, std::move(all)),
+                   .shader = inputs.caster_shader(shader_path(), true, defines),
                    .draws = &inputs.translucent,
                    .view = &inputs.light,
                    .reads = reads,
                    .writes = std::move(writes),
-                   .state = {.blend = Blend::add}});
+                   .state = {.blend = Blend::add},
+                   .on_cpu = layers_on_cpu(inputs, {bounds.start, bounds.end, map, planes.planes},
+                                           first, count, block_stride)});
     }
     return map;
 }
@@ -115,15 +122,14 @@ Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& 
 void BoundingOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs,
                                      const Bounds& bounds,
                                      Value<std::vector<float>>& planes) const {
-    const int count = fine_layer_count(inputs.map_size_px);
+    const int count = fine_layer_count(inputs.space.map_size_px);
     auto& fine_layers = graph.value("fine/layers", 0);
     auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
     fine_layers.set(count);
     fine_planes.set(layer_planes(count, fine_ratio));
-    const int block_stride = std::max(1, inputs.map_size_px / sampled_size_px);
     Texture& histogram =
         add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
-                   {{"BLOCK_STRIDE", std::to_string(block_stride)}});
+                   std::max(1, inputs.space.map_size_px / sampled_size_px));
     graph.add(
         {.name = "split_search",
          .only_with = &inputs.translucent,

@@ -32,10 +32,13 @@ class BoundingOpacityMaps : public Technique {
                "split.";
     }
     std::string_view paper() const override { return "Voicu 2011 (thesis)"; }
-    Reads build(FrameGraph& graph, const ShadowInputs& inputs) override;
+    LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override;
     void needs_recompute() override { search_request_.touch(); }
 
     Param<int> layers{*this, "layers", 16, {1, 64}, "Opacity layers between the two bounds."};
+    Param<bool> own_correction{*this, "own_correction", true,
+                               "Takes out of a look-up what it counts of the receiver's own "
+                               "deposit; not with deposit_rule paper."};
     Choice split{*this,
                  "split",
                  {"auto", "linear", "logarithmic", "hybrid"},
@@ -58,10 +61,10 @@ class BoundingOpacityMaps : public Technique {
     };
     double fixed_ratio() const;
     Bounds add_bounds(FrameGraph& graph, const ShadowInputs& inputs) const;
-    // Passes that draw cumulative optical depth at the planes into one array texture.
+    // Passes that draw cumulative optical depth at the planes into one array texture; of one block
+    // of 4 x 4 texels in every `block_stride`, both ways.
     Texture& add_layers(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
-                        const std::string& name, const Planes& planes,
-                        const Defines& defines = {}) const;
+                        const std::string& name, const Planes& planes, int block_stride = 1) const;
     void add_search(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
                     Value<std::vector<float>>& planes) const;
 

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "map/fragments.hpp"
+#include "map/lookup.hpp"
 #include "opacity/core/error.hpp"
 
 namespace opacity::techniques {
@@ -60,9 +62,55 @@ void accumulate(PassContext& context, int texels, int longest) {
         context.dispatch(texels, Step{.kind = step_sum, .chunk_begin = begin}.uniforms());
 }
 
+// ---- in C++ ----
+
+// An entry of a list: depth, optical depth (later: of it and all before it), unused.
+using Entry = float4;
+
+void count_on_cpu(PassContext& context, const ShadowInputs& inputs, const Texture& count) {
+    const std::span<std::uint32_t> counts = context.memory<std::uint32_t>(count);
+    for_each_fragment(inputs.fragments(context, false),
+                      [&](const Fragment& fragment) { ++counts[fragment.texel]; });
+}
+
+void store_on_cpu(PassContext& context, const ShadowInputs& inputs, const Texture& first,
+                  const Texture& stored, const Texture& unsorted) {
+    const auto firsts = context.memory<std::uint32_t>(first);
+    const auto counts = context.memory<std::uint32_t>(stored);
+    const auto entries = context.memory<Entry>(unsorted);
+    for_each_fragment(inputs.fragments(context, true), [&](const Fragment& f) {
+        entries[firsts[f.texel] + counts[f.texel]++] = {f.depth, f.optical_depth, 0.f, 0.f};
+    });
+}
+
+// The running sum of one texel's list, sorted by depth, then by optical depth.
+void sort_on_cpu(std::span<Entry> list) {
+    std::sort(list.begin(), list.end());
+    double sum = 0.0;
+    for (Entry& entry : list) entry[1] = float(sum += double(entry[1]));
+}
+
+class SortedLists : public TexelMap {
+   public:
+    SortedLists(std::span<const std::uint32_t> first, std::span<const std::uint32_t> count,
+                std::span<const Entry> list)
+        : first_{first}, count_{count}, list_{list} {}
+
+    float optical_depth(std::size_t texel, float depth, const OwnDeposit&) const override {
+        const std::span<const Entry> list = list_.subspan(first_[texel], count_[texel]);
+        const auto behind = std::lower_bound(list.begin(), list.end(), depth,
+                                             [](const Entry& e, float z) { return e[0] < z; });
+        return behind == list.begin() ? 0.f : (*(behind - 1))[1];
+    }
+
+   private:
+    std::span<const std::uint32_t> first_, count_;
+    std::span<const Entry> list_;
+};
+
 }  // namespace
 
-Reads Exact::build(FrameGraph& graph, const ShadowInputs& inputs) {
+LookUp Exact::build(FrameGraph& graph, const ShadowInputs& inputs) {
     const Lists lists{graph.texture("count", inputs.map(Format::r32ui)),
                       graph.texture("first", inputs.map(Format::r32ui)),
                       graph.growing_texture("unsorted", Format::rgba32f),
@@ -73,7 +121,12 @@ Reads Exact::build(FrameGraph& graph, const ShadowInputs& inputs) {
     add_first(graph, inputs, lists);
     add_store(graph, inputs, lists);
     add_sort(graph, inputs, lists);
-    return look_up(inputs, {&lists.first, &lists.count, &lists.list});
+    return look_up(
+        inputs, {&lists.first, &lists.count, &lists.list}, [lists](PassContext& context) {
+            return std::make_unique<SortedLists>(context.memory<std::uint32_t>(lists.first),
+                                                 context.memory<std::uint32_t>(lists.count),
+                                                 context.memory<Entry>(lists.list));
+        });
 }
 
 void Exact::add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const {
@@ -83,10 +136,16 @@ void Exact::add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists
                .view = &inputs.light,
                .reads = inputs.caster_reads(false),
                .stores = {&lists.count},
-               .execute = [&count = lists.count](PassContext& context) {
-                   context.zero(count);
-                   context.draw();
-               }});
+               .execute =
+                   [&count = lists.count](PassContext& context) {
+                       context.zero(count);
+                       context.draw();
+                   },
+               .on_cpu =
+                   [inputs, &count = lists.count](PassContext& context) {
+                       context.zero(count);
+                       count_on_cpu(context, inputs, count);
+                   }});
 }
 
 // Where each texel's list begins: the sum of the counts before it.
@@ -122,12 +181,19 @@ void Exact::add_store(FrameGraph& graph, const ShadowInputs& inputs, const Lists
                .view = &inputs.light,
                .reads = inputs.caster_reads(true, {&lists.first, &lists.count, &lists.fragments}),
                .stores = {&stored, &lists.unsorted},
-               .execute = [lists, &stored](PassContext& context) {
-                   context.zero(stored);
-                   context.resize(lists.unsorted, list_desc(lists.fragments.get()));
-                   context.zero(lists.unsorted);
-                   context.draw();
-               }});
+               .execute =
+                   [lists, &stored](PassContext& context) {
+                       context.zero(stored);
+                       context.resize(lists.unsorted, list_desc(lists.fragments.get()));
+                       context.zero(lists.unsorted);
+                       context.draw();
+                   },
+               .on_cpu =
+                   [inputs, lists, &stored](PassContext& context) {
+                       context.zero(stored);
+                       context.resize(lists.unsorted, list_desc(lists.fragments.get()));
+                       store_on_cpu(context, inputs, lists.first, stored, lists.unsorted);
+                   }});
 }
 
 void Exact::add_sort(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const {
@@ -139,14 +205,26 @@ void Exact::add_sort(FrameGraph& graph, const ShadowInputs& inputs, const Lists&
          .only_with = &inputs.translucent,
          .reads = {&lists.first, &lists.count, &lists.unsorted, &lists.fragments, &lists.longest},
          .stores = {&lists.list, &scratch, &sum},
-         .execute = [lists, &scratch, &sum](PassContext& context) {
-             const int fragments = lists.fragments.get(), longest = lists.longest.get();
-             context.resize(lists.list, list_desc(fragments));
-             context.resize(scratch, list_desc(fragments));
-             sort(context, fragments, longest);
-             context.resize(scratch, list_desc(0));
-             accumulate(context, sum.desc().width * sum.desc().height, longest);
-         }});
+         .execute =
+             [lists, &scratch, &sum](PassContext& context) {
+                 const int fragments = lists.fragments.get(), longest = lists.longest.get();
+                 context.resize(lists.list, list_desc(fragments));
+                 context.resize(scratch, list_desc(fragments));
+                 sort(context, fragments, longest);
+                 context.resize(scratch, list_desc(0));
+                 accumulate(context, sum.desc().width * sum.desc().height, longest);
+             },
+         .on_cpu =
+             [lists](PassContext& context) {
+                 context.resize(lists.list, list_desc(lists.fragments.get()));
+                 const auto first = context.memory<std::uint32_t>(lists.first);
+                 const auto count = context.memory<std::uint32_t>(lists.count);
+                 const auto list = context.memory<Entry>(lists.list);
+                 std::ranges::copy(context.memory<Entry>(lists.unsorted), list.begin());
+                 parallel_for(first.size(), [&](std::size_t texel) {
+                     sort_on_cpu(list.subspan(first[texel], count[texel]));
+                 });
+             }});
 }
 
 }  // namespace opacity::techniques

@@ -25,7 +25,7 @@ class Exact : public Technique {
         return "Every fragment of every texel, sorted: the reference for all other techniques.";
     }
     std::string_view paper() const override { return "after Carpenter 1984, Yang et al. 2010"; }
-    Reads build(FrameGraph& graph, const ShadowInputs& inputs) override;
+    LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override;
 
    private:
     struct Lists {

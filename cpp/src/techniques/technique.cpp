@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include "map/fragments.hpp"
+#include "map/lookup.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/core/nearest_name.hpp"
 #include "techniques/registry.hpp"
@@ -12,6 +14,7 @@ Shader ShadowInputs::caster_shader(const std::string& fragment, bool optical_dep
                                    Defines defines) const {
     if (optical_depth) defines.emplace_back("OPTICAL_DEPTH", "1");
     if (has_opaque) defines.emplace_back("READS_OPAQUE_DEPTH", "1");
+    if (paper_deposit) defines.emplace_back("PAPER_DEPOSIT", "1");
     return {.vertex = "casters.vert.glsl", .fragment = fragment, .defines = std::move(defines)};
 }
 
@@ -21,9 +24,20 @@ Reads ShadowInputs::caster_reads(bool optical_depth, Reads more) const {
     return more;
 }
 
-Reads Technique::look_up(const ShadowInputs& inputs, Reads reads) const {
-    reads.insert(reads.end(), {&inputs.light, &inputs.opaque_depth, &bias});
-    return reads;
+FragmentSource ShadowInputs::fragments(PassContext& context, bool optical_depth) const {
+    std::span<const float> opaque;
+    if (has_opaque) opaque = context.memory<float>(opaque_depth);
+    return {casters, translucent.shapes(), space, opaque, paper_deposit, optical_depth};
+}
+
+LookUp Technique::look_up(const ShadowInputs& inputs, Reads reads,
+                          std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu) const {
+    reads.insert(reads.end(),
+                 {&inputs.light, &inputs.opaque_depth, &bias, &filter_radius, &filter_width});
+    const bool bilinear = filter.is("box") && filter_width.is_auto() && filter_radius.get() == 0.5;
+    Defines defines{{"FILTER_" + (bilinear ? "bilinear" : filter.get()), "1"}};
+    if (filter_domain.is("density")) defines.emplace_back("DENSITY_FILTER", "1");
+    return {.reads = std::move(reads), .defines = std::move(defines), .on_cpu = std::move(on_cpu)};
 }
 
 std::vector<std::string> technique_names() {

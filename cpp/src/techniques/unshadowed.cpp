@@ -2,7 +2,7 @@
 
 namespace opacity::techniques {
 
-Reads Unshadowed::build(FrameGraph&, const ShadowInputs&) {
+LookUp Unshadowed::build(FrameGraph&, const ShadowInputs&) {
     return {};
 }
 

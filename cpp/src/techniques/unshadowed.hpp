@@ -15,7 +15,7 @@ class Unshadowed : public Technique {
         return "No shadows: the baseline of every timing.";
     }
     std::string_view paper() const override { return "none"; }
-    Reads build(FrameGraph& graph, const ShadowInputs& inputs) override;
+    LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override;
 };
 
 }  // namespace opacity::techniques

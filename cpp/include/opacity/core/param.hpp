@@ -79,25 +79,33 @@ class Choice : public ParamBase {
 };
 
 // A number, or "auto": found from the scene. The uniform is negative for auto.
+template <class T>  // int or double
 class AutoParam : public ParamBase {
    public:
-    AutoParam(ParamOwner& owner, std::string name, Range<double> range, std::string doc)
-        : ParamBase{owner, std::move(name), std::move(doc)}, range_{range} {}
+    AutoParam(ParamOwner& owner, std::string name, Range<T> range, std::string doc)
+        : AutoParam{owner, std::move(name), automatic, range, std::move(doc)} {}
+    AutoParam(ParamOwner& owner, std::string name, T initial, Range<T> range, std::string doc)
+        : ParamBase{owner, std::move(name), std::move(doc)},
+          value_{initial},
+          default_{initial},
+          range_{range} {}
 
-    bool is_auto() const noexcept { return value_ < 0.0; }
-    double get() const noexcept { return value_; }
-    std::string type() const override { return "float or \"auto\""; }
+    bool is_auto() const noexcept { return value_ < T(0); }
+    T get() const noexcept { return value_; }
+    std::string type() const override;
     std::string range() const override;
-    ParamValue value() const override;
-    ParamValue default_value() const override { return "auto"; }
+    ParamValue value() const override { return shown(value_); }
+    ParamValue default_value() const override { return shown(default_); }
     void assign(const ParamValue& value) override;
-    void feed(Feeder& feeder) const override { feeder.uniform("u_" + name(), float(value_)); }
+    void feed(Feeder& feeder) const override;
 
    private:
+    static constexpr T automatic{-1};
+    static ParamValue shown(T value);
     std::string number_range() const;
 
-    double value_ = -1.0;
-    Range<double> range_;
+    T value_, default_;
+    Range<T> range_;
 };
 
 }  // namespace opacity

@@ -14,6 +14,13 @@ class Device {
    public:
     virtual ~Device() = default;
 
+    // Whether it draws and dispatches; if not, it keeps all resources in memory, and passes with a
+    // shader run their form in C++.
+    virtual bool runs_shaders() const { return true; }
+    virtual std::span<std::byte> memory(const Resource&) { return {}; }
+    // Forgets copies of shapes that no scene holds any more.
+    virtual void collect() {}
+
     // Moves when the text of a shader on disk does.
     virtual Revision shader_revision() = 0;
     // Storage for the resource as it is described now; the content is undefined.

@@ -99,6 +99,7 @@ class FrameGraph {
     static std::string why_again(const Record& last, const Record& now);
     PassReport step(const Pass& pass, bool needed);
     std::string execute(const Pass& pass, bool clear_only);  // returns the pass's note
+    static void run_on_cpu(const Pass& pass, PassContext& context);
     void drop_undeclared();
 
     Device& device_;

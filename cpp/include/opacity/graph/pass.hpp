@@ -63,6 +63,8 @@ struct Pass {
     State state = {};
     // Default: draw the shapes. A lambda captures `this` and graph-owned resources only.
     std::function<void(PassContext&)> execute = {};
+    // What a shader does, in C++: for the device without OpenGL.
+    std::function<void(PassContext&)> on_cpu = {};
 };
 
 // Everything that moves a pass: what it declares to read, from where it draws, and which shapes.

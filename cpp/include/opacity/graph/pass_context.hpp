@@ -42,6 +42,12 @@ class PassContext {
         read_bytes(buffer, std::as_writable_bytes(std::span{content}));
         return content;
     }
+    // Where a pass in C++ reads and writes: a declared read, store or target.
+    template <class T>
+    std::span<T> memory(const Resource& resource) {
+        const std::span<std::byte> bytes = memory_bytes(resource);
+        return {reinterpret_cast<T*>(bytes.data()), bytes.size() / sizeof(T)};
+    }
     // Sets a declared value; everything that reads it stays cached if it did not change.
     template <class T>
     void set(Value<T>& value, T content) {
@@ -55,6 +61,7 @@ class PassContext {
    private:
     friend class FrameGraph;
     void read_bytes(const Resource& resource, std::span<std::byte> content);
+    std::span<std::byte> memory_bytes(const Resource& resource);
     void require_value(const Source& value) const;
     void require_store(const Resource& resource) const;
 

@@ -1,0 +1,74 @@
+#include "map/fragments.hpp"
+
+#include "map/surface.hpp"
+
+namespace opacity {
+namespace {
+
+// Corners lie on a grid of 1/256 texel, as rasterisers have it. Sums of their products are exact in
+// double for triangles of up to 100,000 texels, so that an edge which two of them share gives each
+// texel to one.
+struct Corner {
+    double x, y;
+};
+
+Corner snapped(const float4& p) {
+    return {std::nearbyint(double(p[0]) * 256.0) / 256.0, std::nearbyint(double(p[1]) * 256.0) / 256.0};
+}
+
+// Twice the area of a, b, c; positive where they turn left.
+double area(const Corner& a, const Corner& b, const Corner& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// A texel whose middle lies on an edge belongs to the triangle below or to the left of it.
+bool owns(const Corner& a, const Corner& b) {
+    return b.y < a.y || (b.y == a.y && b.x > a.x);
+}
+
+// The texels between two coordinates, one more on each side, within a range.
+Rows around(float low, float high, Rows range) {
+    const float begin = std::clamp(low - 1.f, float(range.begin), float(range.end));
+    const float end = std::clamp(high + 2.f, float(range.begin), float(range.end));
+    return {int(begin), int(end)};
+}
+
+// The slope of the plane through the corners.
+std::array<float, 2> slope_of(const std::array<float4, 3>& p) {
+    const double ux = double(p[1][0]) - p[0][0], uy = double(p[1][1]) - p[0][1];
+    const double vx = double(p[2][0]) - p[0][0], vy = double(p[2][1]) - p[0][1];
+    const double uz = double(p[1][2]) - p[0][2], vz = double(p[2][2]) - p[0][2];
+    const double determinant = ux * vy - uy * vx;
+    if (determinant == 0.0) return {0.f, 0.f};
+    return {float((uz * vy - vz * uy) / determinant), float((vz * ux - uz * vx) / determinant)};
+}
+
+}  // namespace
+
+void triangle_texels(const std::array<float4, 3>& p, const LightSpace& space, Rows rows,
+                     const std::function<void(const TriangleTexel&)>& texel) {
+    const std::array<Corner, 3> c{snapped(p[0]), snapped(p[1]), snapped(p[2])};
+    const double twice_area = area(c[0], c[1], c[2]);
+    if (twice_area == 0.0) return;
+    const double turn = twice_area > 0.0 ? 1.0 : -1.0;
+    const auto [low_x, high_x] = std::minmax({p[0][0], p[1][0], p[2][0]});
+    const auto [low_y, high_y] = std::minmax({p[0][1], p[1][1], p[2][1]});
+    const Rows columns = around(low_x, high_x, {0, space.map_size_px});
+    const Rows band = around(low_y, high_y, rows);
+    const float margin = surface_margin(slope_of(p), space);
+    for (int y = band.begin; y < band.end; ++y)
+        for (int x = columns.begin; x < columns.end; ++x) {
+            const Corner middle{x + 0.5, y + 0.5};
+            TriangleTexel covered{x, y, {}, margin};
+            bool inside = true;
+            for (int i = 0; i < 3; ++i) {
+                const Corner &a = c[(i + 1) % 3], &b = c[(i + 2) % 3];
+                const double side = turn * area(a, b, middle);
+                inside &= side > 0.0 || (side == 0.0 && (turn > 0.0 ? owns(a, b) : owns(b, a)));
+                covered.weights[i] = float(side / (turn * twice_area));
+            }
+            if (inside) texel(covered);
+        }
+}
+
+}  // namespace opacity

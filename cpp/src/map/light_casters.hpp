@@ -1,0 +1,40 @@
+// Copies of casters as the light sees them: points in light space, float32 as the GPU has them, made
+// again only when the shape or the light has moved.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "opacity/scene/light_space.hpp"
+#include "opacity/scene/shape.hpp"
+
+namespace opacity {
+
+struct LightCaster {
+    std::vector<float4> points;  // light space; w: a strand's width in texels
+    bool strands = false;
+    std::vector<std::uint32_t> indices;  // first points of segments; or corners of triangles
+    std::vector<float> opacity;          // one for all, or one a point
+    float opacity_at(std::size_t i) const { return opacity[opacity.size() > 1 ? i : 0]; }
+};
+
+class LightCasters {
+   public:
+    // As the shape is now; stays until the next call for it.
+    const LightCaster& caster(const ShapePtr& shape, const LightSpace& space);
+    // Forgets shapes that are gone.
+    void collect();
+
+   private:
+    struct Cached {
+        std::weak_ptr<const Shape> shape;
+        Revision geometry = 0, transform = 0, opacity = 0;
+        LightSpace space;
+        LightCaster caster;
+    };
+    std::map<const Shape*, Cached> cache_;
+};
+
+}  // namespace opacity

@@ -1,0 +1,75 @@
+#include "map/lookup.hpp"
+
+namespace opacity {
+
+// Sums over the taps of a look-up. Weights are divided by their sum, so that T = 1 stays 1 exactly.
+struct MapLookUp::Taps {
+    float weight = 0.f;
+    float lit = 0.f;            // weight of those that no opaque caster darkens
+    float transmittance = 0.f;  // weight times T
+    float optical_depth = 0.f;  // weight times optical depth
+};
+
+// A map of up to three texels has no border: its outer texels stand for what lies beside them.
+// Elsewhere nothing casts outside.
+void MapLookUp::add_tap(Taps& taps, const Receiver& receiver, int x, int y, float depth,
+                        float weight) const {
+    const int size_px = space_.map_size_px;
+    if (size_px < 4) x = std::clamp(x, 0, size_px - 1), y = std::clamp(y, 0, size_px - 1);
+    taps.weight += weight;
+    float optical_depth = 0.f;
+    if (x >= 0 && y >= 0 && x < size_px && y < size_px) {
+        const std::size_t texel = std::size_t(y) * size_px + x;
+        if (opaque_depth_[texel] < std::min(depth, 1.f)) return;
+        const OwnDeposit own = own_deposit(receiver, x, y, space_);
+        optical_depth = std::max(0.f, map_.optical_depth(texel, depth, own));
+    }
+    taps.lit += weight;
+    taps.transmittance += weight * std::exp(-optical_depth);
+    taps.optical_depth += weight * optical_depth;
+}
+
+MapLookUp::Taps MapLookUp::filtered_taps(const Receiver& receiver, float depth) const {
+    Taps taps;
+    const float px = receiver.p_ls[0], py = receiver.p_ls[1];
+    const auto at = [](float v) { return int(std::floor(v)); };
+    if (filter_.kernel == FilterKernel::none) {
+        add_tap(taps, receiver, at(px), at(py), depth, 1.f);
+        return taps;
+    }
+    const float radius = std::clamp(filter_.radius_texels, 1.f / 1024.f, largest_filter_radius);
+    if (filter_.kernel == FilterKernel::pcf) {  // at a radius of two texels they are neighbours
+        for (int i = 0; i < 16; ++i) {
+            const float x = px + (float(i % 4) - 1.5f) * (0.5f * radius);
+            const float y = py + (float(i / 4) - 1.5f) * (0.5f * radius);
+            add_tap(taps, receiver, at(x), at(y), depth, 1.f / 16.f);
+        }
+        return taps;
+    }
+    for (int y = at(py - radius); y < std::ceil(py + radius); ++y) {
+        const float weight_y = filter_weight(filter_.kernel, float(y) - py, radius);
+        for (int x = at(px - radius); x < std::ceil(px + radius); ++x) {
+            const float weight_x = filter_weight(filter_.kernel, float(x) - px, radius);
+            add_tap(taps, receiver, x, y, depth, weight_y * weight_x);
+        }
+    }
+    return taps;
+}
+
+float MapLookUp::transmittance(const Receiver& receiver, float width) const {
+    const float bias =
+        bias_ < 0.0 ? std::max(width, float(space_.least_bias)) : float(bias_);
+    const float depth = receiver.p_ls[2] - bias / float(space_.depth_range);
+    const float reach = largest_filter_radius + 1.f, far = float(space_.map_size_px) + reach;
+    const auto is_near = [&](float v) { return v > -reach && v < far; };
+    // Also false for a coordinate that is not finite: T = 1, never NaN.
+    if (!(depth > 0.f && is_near(receiver.p_ls[0]) && is_near(receiver.p_ls[1]))) return 1.f;
+    const Taps taps = filtered_taps(receiver, depth);
+    if (!filter_.density) return taps.transmittance / taps.weight;
+    // The density interpretation (Jansen and Bavoil 2010, section 6), of what no opaque caster
+    // hides.
+    if (!(taps.lit > 0.f)) return 0.f;
+    return taps.lit / taps.weight * std::exp(-taps.optical_depth / taps.lit);
+}
+
+}  // namespace opacity

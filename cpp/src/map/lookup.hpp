@@ -1,0 +1,49 @@
+// What every map shares in the look-up: the front test, the opaque depth map, and the filter. GLSL:
+// lib/lookup.glsl.
+#pragma once
+
+#include <span>
+
+#include "map/filter.hpp"
+#include "map/own_deposit.hpp"
+
+namespace opacity {
+
+// What the translucent casters of one texel have in front of a depth, without the receiver's own
+// part of it. Each technique brings its own, as it does texel_optical_depth in GLSL.
+class TexelMap {
+   public:
+    virtual ~TexelMap() = default;
+    virtual float optical_depth(std::size_t texel, float depth, const OwnDeposit& own) const = 0;
+};
+
+struct Filter {
+    FilterKernel kernel = FilterKernel::box;
+    float radius_texels = 0.5f;
+    bool density = false;  // average optical depth, not T
+};
+
+class MapLookUp {
+   public:
+    // `bias` in world units; negative: automatic. `opaque_depth`: one value a texel.
+    MapLookUp(const LightSpace& space, const TexelMap& map, std::span<const float> opaque_depth,
+              const Filter& filter, double bias)
+        : space_{space}, map_{map}, opaque_depth_{opaque_depth}, filter_{filter}, bias_{bias} {}
+
+    // T in [0, 1]; `width` as in Query.
+    float transmittance(const Receiver& receiver, float width) const;
+
+   private:
+    struct Taps;
+    void add_tap(Taps& taps, const Receiver& receiver, int x, int y, float depth,
+                 float weight) const;
+    Taps filtered_taps(const Receiver& receiver, float depth) const;
+
+    const LightSpace& space_;
+    const TexelMap& map_;
+    std::span<const float> opaque_depth_;
+    Filter filter_;
+    double bias_;
+};
+
+}  // namespace opacity

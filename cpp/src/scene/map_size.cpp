@@ -1,0 +1,111 @@
+#include "scene/map_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "opacity/scene/strands.hpp"
+#include "scene/bias.hpp"
+
+namespace opacity {
+namespace {
+
+constexpr int smallest_px = 64, largest_px = 4096, step_px = 32;
+constexpr int without_strands_px = 512;
+
+// A box in so many cells along each side, of which some hold points.
+class Occupancy {
+   public:
+    explicit Occupancy(const Box& box) : box_{box}, cells_(cells * cells * cells, false) {}
+    void add(const double3& p) {
+        std::size_t index = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double extent = box_.max[axis] - box_.min[axis];
+            const double part = extent > 0.0 ? (p[axis] - box_.min[axis]) / extent : 0.0;
+            index = index * cells + std::clamp<std::size_t>(std::size_t(part * cells), 0, cells - 1);
+        }
+        cells_[index] = true;
+    }
+    double volume() const {
+        const double cell = (box_.max[0] - box_.min[0]) * (box_.max[1] - box_.min[1]) *
+                            (box_.max[2] - box_.min[2]) / double(cells_.size());
+        return cell * double(std::count(cells_.begin(), cells_.end(), true));
+    }
+
+   private:
+    static constexpr std::size_t cells = 32;
+    Box box_;
+    std::vector<bool> cells_;
+};
+
+double distance(const double3& a, const double3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// Calls visit(a, b) for both ends of every segment that casts, in the world.
+template <class Visit>
+void for_each_segment(const Scene& scene, Visit visit) {
+    for (const ShapePtr& shape : scene.shapes()) {
+        const auto* strands = dynamic_cast<const Strands*>(shape.get());
+        if (!strands) continue;
+        const auto lock = strands->lock();
+        if (!strands->is_caster()) continue;
+        for (const std::uint32_t first : strands->segments())
+            visit(transform_point(strands->transform(), strands->points()[first]),
+                  transform_point(strands->transform(), strands->points()[first + 1]));
+    }
+}
+
+std::string reason(const char* what, double texel) {
+    char text[128];
+    std::snprintf(text, sizeof text, "%s: a texel of %.3g", what, texel);
+    return text;
+}
+
+}  // namespace
+
+MapSizeRule::Spacing MapSizeRule::measure(const Scene& scene) {
+    Box box;
+    double length = 0.0;
+    for_each_segment(scene, [&](const double3& a, const double3& b) {
+        box.extend(a);
+        box.extend(b);
+        length += distance(a, b);
+    });
+    if (!(length > 0.0)) return {};
+    Occupancy occupancy{box};
+    for_each_segment(scene, [&](const double3& a, const double3& b) {
+        occupancy.add(a);
+        occupancy.add(b);
+    });
+    return {std::sqrt(occupancy.volume() / length), mean_strand_width(scene)};
+}
+
+MapSize MapSizeRule::choose(const Scene& scene, double side, double filter_width) {
+    double texel = 0.5 * filter_width;
+    const char* what = "half of filter_width";
+    if (!(filter_width > 0.0)) {
+        update(scene);
+        const bool apart = spacing_.spacing > spacing_.width;
+        texel = apart ? spacing_.spacing : spacing_.width;
+        what = apart ? "the space between strands" : "the width of strands";
+    }
+    if (!(texel > 0.0)) return {without_strands_px, "no strands to go by"};
+    const double wanted_px = std::ceil(side / texel / step_px) * step_px;
+    const int size_px = int(std::clamp(wanted_px, double(smallest_px), double(largest_px)));
+    return {size_px, reason(what, texel)};
+}
+
+void MapSizeRule::update(const Scene& scene) {
+    std::vector<Revision> now;
+    for (const ShapePtr& shape : scene.shapes()) {
+        const auto lock = shape->lock();
+        const Shape::Revisions& part = shape->revisions();
+        now.insert(now.end(), {part.geometry, part.transform, part.opacity, part.flags});
+    }
+    if (now != measured_) spacing_ = measure(scene);
+    measured_ = std::move(now);
+}
+
+}  // namespace opacity

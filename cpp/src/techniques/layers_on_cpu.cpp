@@ -1,0 +1,129 @@
+#include "techniques/layers_on_cpu.hpp"
+
+#include <algorithm>
+
+#include "map/fragments.hpp"
+#include "map/planes.hpp"
+
+namespace opacity::techniques {
+namespace {
+
+template <class Pick>
+OnCpu depth_on_cpu(const ShadowInputs& inputs, Texture& depth, Pick pick) {
+    return [inputs, &depth, pick](PassContext& context) {
+        const std::span<float> map = context.memory<float>(depth);
+        for_each_fragment(inputs.fragments(context, false), [&](const Fragment& fragment) {
+            map[fragment.texel] = pick(map[fragment.texel], fragment.depth);
+        });
+    };
+}
+
+// Where the map holds plane k in 1 .. K of a texel.
+std::size_t place_of(std::size_t texel_count, std::size_t texel, int k) {
+    const int target = (k - 1) / planes_per_target, channel = (k - 1) % planes_per_target;
+    return (target * texel_count + texel) * planes_per_target + channel;
+}
+
+struct Planes {
+    std::span<const float> start, end, planes;
+    int last_plane() const { return int(planes.size()) - 1; }
+    int layer(std::size_t texel, float depth) const {
+        return layer_of(planes, between(start[texel], end[texel], depth));
+    }
+};
+
+// First each layer's own optical depth, then the sum of all before: one write a fragment.
+class Layers {
+   public:
+    Layers(const Planes& planes, std::span<float> map, int first_plane, int last_plane)
+        : planes_{planes}, map_{map}, first_plane_{first_plane}, last_plane_{last_plane} {}
+
+    void add(const Fragment& fragment) {
+        const int k = std::max(planes_.layer(fragment.texel, fragment.depth) + 1, first_plane_);
+        if (k <= last_plane_) plane(fragment.texel, k) += fragment.optical_depth;
+    }
+    void accumulate(std::size_t texel) {
+        double sum = 0.0;
+        for (int k = first_plane_; k <= last_plane_; ++k) {
+            sum += double(plane(texel, k));
+            plane(texel, k) = float(sum);
+        }
+    }
+
+   private:
+    float& plane(std::size_t texel, int k) {
+        return map_[place_of(planes_.start.size(), texel, k)];
+    }
+    Planes planes_;
+    std::span<float> map_;
+    int first_plane_, last_plane_;
+};
+
+class LayeredTexels : public TexelMap {
+   public:
+    LayeredTexels(const Planes& planes, std::span<const float> map) : planes_{planes}, map_{map} {}
+
+    float optical_depth(std::size_t texel, float depth, const OwnDeposit& own) const override {
+        const float start = planes_.start[texel], end = planes_.end[texel];
+        if (!(depth > start)) return 0.f;
+        if (depth >= end) return plane(texel, planes_.last_plane()) - own.optical_depth;
+        const float x = between(start, end, depth);
+        const int layer = layer_of(planes_.planes, x);
+        const float low = planes_.planes[layer], high = planes_.planes[layer + 1];
+        const float along = (x - low) / (high - low);
+        const float part = counted(planes_.layer(texel, own.depth), layer, along);
+        const float before = plane(texel, layer), behind = plane(texel, layer + 1);
+        return before * (1.f - along) + behind * along - own.optical_depth * part;
+    }
+
+   private:
+    // Nothing is in front of plane 0.
+    float plane(std::size_t texel, int k) const {
+        return k == 0 ? 0.f : map_[place_of(planes_.start.size(), texel, k)];
+    }
+    Planes planes_;
+    std::span<const float> map_;
+};
+
+Planes planes_in(PassContext& context, const LayersInMap& layers) {
+    return {context.memory<float>(layers.start), context.memory<float>(layers.end),
+            layers.planes.get()};
+}
+
+}  // namespace
+
+OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
+    return depth_on_cpu(inputs, depth, [](float a, float b) { return std::min(a, b); });
+}
+
+OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
+    return depth_on_cpu(inputs, depth, [](float a, float b) { return std::max(a, b); });
+}
+
+OnCpu layers_on_cpu(const ShadowInputs& inputs, const LayersInMap& in, int first_target,
+                    int target_count, int block_stride) {
+    return [=](PassContext& context) {
+        const Planes planes = planes_in(context, in);
+        const int first_plane = planes_per_target * first_target + 1;
+        const int last_plane =
+            std::min(planes_per_target * (first_target + target_count), planes.last_plane());
+        Layers layers{planes, context.memory<float>(in.map), first_plane, last_plane};
+        const auto is_sampled = [block_stride](int i) { return i / 4 % block_stride == 0; };
+        for_each_fragment(inputs.fragments(context, true), [&](const Fragment& fragment) {
+            if (is_sampled(fragment.x) && is_sampled(fragment.y)) layers.add(fragment);
+        });
+        const std::size_t row_texels = std::size_t(in.map.desc().width);
+        parallel_for(std::size_t(in.map.desc().height), [&](std::size_t row) {
+            for (std::size_t i = 0; i < row_texels; ++i) layers.accumulate(row * row_texels + i);
+        });
+    };
+}
+
+std::function<std::unique_ptr<TexelMap>(PassContext&)> layers_look_up(const LayersInMap& layers) {
+    return [layers](PassContext& context) {
+        return std::make_unique<LayeredTexels>(planes_in(context, layers),
+                                               context.memory<float>(layers.map));
+    };
+}
+
+}  // namespace opacity::techniques
