@@ -36,6 +36,7 @@ from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Shape, Strands
 from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
+from pyopacity.trace import trace_backends, trace_transmittance
 
 __version__ = _native.version()
 
@@ -69,4 +70,6 @@ __all__ = [
     "save_image",
     "technique",
     "techniques",
+    "trace_backends",
+    "trace_transmittance",
 ]

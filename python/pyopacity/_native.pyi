@@ -1,6 +1,6 @@
 # The C++ engine, as cpp/src/bindings gives it out. Private; a test compares it with the module.
 # The bindings take arrays of the one dtype and order named here; pyopacity._arrays sees to it.
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -17,6 +17,29 @@ def nearest_name(name: str, candidates: Sequence[str], /) -> str: ...
 def technique_names() -> list[str]: ...
 def make_technique(name: str, /) -> Technique: ...
 def load(path_or_name: str | bytes, /) -> list[Shape]: ...
+def trace_backends() -> list[str]: ...
+def trace_transmittance(
+    scene: Scene,
+    points: _Floats,
+    light: int,
+    footprint: float,
+    samples: int,
+    bias: _F64,
+    backend: str,
+    progress: Callable[[float], object] | None,
+    /,
+) -> _F32: ...
+def trace_transmittance_of(
+    scene: Scene,
+    shape: Shape,
+    light: int,
+    footprint: float,
+    samples: int,
+    bias: _F64,
+    backend: str,
+    progress: Callable[[float], object] | None,
+    /,
+) -> _F32: ...
 def save_png(path: str, rgba: _F32) -> None: ...
 
 class Parameter:

@@ -8,6 +8,7 @@
 #include "render/frame.hpp"
 #include "render/gl_device.hpp"
 #include "scene/bias.hpp"
+#include "scene/receivers.hpp"
 
 namespace opacity {
 struct Renderer::Impl {
@@ -42,11 +43,7 @@ struct Renderer::Impl {
     std::vector<float> transmittance(const Positions& world_points, int light,
                                      double receiver_width) {
         check_light(light);
-        const std::size_t bad = world_points.first_bad();
-        if (bad < world_points.size())
-            throw ParameterError(
-                "points[" + std::to_string(bad) + "] is not finite, or larger than 1e18",
-                "remove or repair the point");
+        check_receivers(world_points);
         const gl::Context::Use use{*context};
         return frame->transmittance(inputs(), world_points, receiver_width);
     }
@@ -156,18 +153,8 @@ std::vector<float> Renderer::transmittance(const Positions& world_points, int li
 }
 
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
-    std::vector<double> world_points;
-    double width = 0.0;
-    {
-        const auto lock = shape.lock();
-        world_points.reserve(3 * shape.points().size());
-        for (std::size_t i = 0; i < shape.points().size(); ++i) {
-            const double3 p = transform_point(shape.transform(), shape.points()[i]);
-            world_points.insert(world_points.end(), p.begin(), p.end());
-        }
-        width = shape.strand_width();
-    }
-    return impl_->transmittance(Positions{std::move(world_points)}, light, width);
+    const Receivers receivers = receivers_on(shape);
+    return impl_->transmittance(receivers.world_points, light, receivers.strand_width);
 }
 
 double4x4 Renderer::light_from_world() const {
