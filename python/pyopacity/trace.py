@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from pyopacity import _arrays, _native
 from pyopacity._arrays import Attribute, Floats, Number
+from pyopacity.errors import ParameterError
 from pyopacity.scene import Scene
 from pyopacity.shapes import Shape
 
@@ -68,7 +69,7 @@ def trace_transmittance(
         _arrays.whole("light", light),
         _arrays.number("footprint", footprint),
         _arrays.whole("samples", samples),
-        _bias(bias),
+        _bias(bias, points),
         backend,
         progress,
     )
@@ -87,9 +88,12 @@ def trace_backends() -> tuple[str, ...]:
     return tuple(_native.trace_backends())
 
 
-def _bias(bias: Attribute | str) -> npt.NDArray[np.float64]:
-    """None for "auto"."""
+def _bias(bias: Attribute | str, points: Floats | Shape) -> npt.NDArray[np.float64]:
+    """As the engine takes it: none for "auto"."""
     if isinstance(bias, str):
         _arrays.choice("bias", bias, ("auto",))
         return np.empty(0)
-    return _arrays.attribute("bias", bias).astype(np.float64, copy=False)
+    values = _arrays.attribute("bias", bias).astype(np.float64, copy=False)
+    if values.size == 0 and (isinstance(points, Shape) or np.size(points) > 0):
+        raise ParameterError("bias is empty", 'pass a number, one a point, or "auto"')
+    return values

@@ -8,6 +8,7 @@
 
 #include "rays/casters.hpp"
 #include "rays/hits.hpp"
+#include "rays/pieces.hpp"
 
 namespace opacity::rays {
 
@@ -20,9 +21,6 @@ class Backend {
 
 // Asked now and then during a long build; true has it end early, with a backend of no use.
 using Stop = std::function<bool()>;
-
-// Boxes grow by this much, in the frame's units: more than all that float32 rounds.
-inline constexpr double box_margin = 0x1p-20;
 
 std::unique_ptr<Backend> build_builtin(const Casters& casters, const Stop& stop);
 // Null in a build without Embree.

@@ -32,16 +32,14 @@ struct Query {
     std::exception_ptr thrown;
 };
 
+const Piece& piece(const void* pieces, unsigned index) {
+    return static_cast<const Piece*>(pieces)[index];
+}
+
 void write_bounds(const RTCBoundsFunctionArguments* arguments) {
-    const auto& casters = *static_cast<const Casters*>(arguments->geometryUserPtr);
-    const Box box = casters.bounds_of(arguments->primID).padded(box_margin);
-    RTCBounds& bounds = *arguments->bounds_o;
-    bounds.lower_x = float(box.min[0]);
-    bounds.lower_y = float(box.min[1]);
-    bounds.lower_z = float(box.min[2]);
-    bounds.upper_x = float(box.max[0]);
-    bounds.upper_y = float(box.max[1]);
-    bounds.upper_z = float(box.max[2]);
+    const Piece& box = piece(arguments->geometryUserPtr, arguments->primID);
+    *arguments->bounds_o = {box.min[0], box.min[1], box.min[2], 0.f,
+                            box.max[0], box.max[1], box.max[2], 0.f};
 }
 
 // Never reports a hit, so that Embree goes on to the next box; a ray that ends here is enough.
@@ -49,7 +47,7 @@ void visit(const RTCOccludedFunctionNArguments* arguments) {
     auto& query = *reinterpret_cast<Query*>(arguments->context);
     bool go_on = false;
     try {
-        go_on = query.hits->visit(arguments->primID);
+        go_on = query.hits->visit(piece(arguments->geometryUserPtr, arguments->primID).primitive);
     } catch (...) {  // not through a library that knows no exceptions
         query.thrown = std::current_exception();
     }
@@ -62,12 +60,13 @@ bool may_go_on(void* stop, double) {
 
 class Embree : public Backend {
    public:
-    Embree(const Casters& casters, const Stop& stop) : device_{rtcNewDevice("threads=0")} {
+    Embree(const Casters& casters, const Stop& stop)
+        : pieces_{pieces_of(casters)}, device_{rtcNewDevice(nullptr)} {
         if (!device_)
             throw OutOfMemoryError("Embree could not start", "choose backend=\"builtin\"");
         RTCGeometry boxes = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-        rtcSetGeometryUserPrimitiveCount(boxes, casters.primitive_count());
-        rtcSetGeometryUserData(boxes, const_cast<Casters*>(&casters));
+        rtcSetGeometryUserPrimitiveCount(boxes, unsigned(pieces_.size()));
+        rtcSetGeometryUserData(boxes, pieces_.data());
         rtcSetGeometryBoundsFunction(boxes, write_bounds, nullptr);
         rtcSetGeometryOccludedFunction(boxes, visit);
         rtcCommitGeometry(boxes);
@@ -120,6 +119,7 @@ class Embree : public Backend {
         if (device_) rtcReleaseDevice(device_);
     }
 
+    std::vector<Piece> pieces_;
     RTCDevice device_ = nullptr;
     RTCScene scene_ = nullptr;
 };
