@@ -62,7 +62,9 @@ def trace_transmittance(
     if not isinstance(scene, Scene):
         raise _arrays.wrong("scene", scene, "a pyopacity.Scene")
     if progress is not None and not callable(progress):
-        raise _arrays.wrong("progress", progress, "a function that takes the fraction done, or None")
+        raise _arrays.wrong(
+            "progress", progress, "a function that takes the fraction done, or None"
+        )
     if not isinstance(backend, str):
         raise _arrays.wrong("backend", backend, '"auto", or one of pyopacity.trace_backends()')
     settings = (

@@ -76,7 +76,9 @@ def test_strands_agree_away_from_their_ends(tmp_path: pathlib.Path) -> None:
     count, width, opacity = 60, 0.15, 0.4
     ends = random.uniform(-1, 1, (count, 1, 3)) + random.normal(0, 0.7, (count, 2, 3))
     ends = ends.astype(np.float32)
-    lines = ("\n".join(f"{x!r} {y!r} {z!r} {width / 2}" for x, y, z in pair) for pair in ends.tolist())
+    lines = (
+        "\n".join(f"{x!r} {y!r} {z!r} {width / 2}" for x, y, z in pair) for pair in ends.tolist()
+    )
     path = tmp_path / "strands.txt"
     path.write_text("\n\n".join(lines) + "\n")
     curves = {"type": "linearcurve", "filename": str(path)}
