@@ -67,8 +67,7 @@ class Nearest {
     // but ends: so ends are flat.
     void visit(std::uint32_t segment, const Pass& p) {
         if (!p.has_length) return;
-        if (before_ && before_->approaches_last && !p.approaches_first)
-            offer(before_segment_, *before_, 1.0);
+        if (before_.approaches_last && !p.approaches_first) offer(before_segment_, before_, 1.0);
         if (p.approaches_first && !p.approaches_last) offer(segment, p, p.along);
         before_ = p;
         before_segment_ = segment;
@@ -87,7 +86,7 @@ class Nearest {
     const Casters& casters_;
     std::optional<Crossing> crossing_;
     double squared_ = 0.0;
-    std::optional<Pass> before_;  // the segment before that has a length
+    Pass before_;  // the segment before that has a length; at first none, which comes no nearer
     std::uint32_t before_segment_ = 0;
 };
 
