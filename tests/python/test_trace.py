@@ -309,6 +309,17 @@ def test_nothing_to_trace() -> None:
     assert [po.trace_transmittance(lights, at, light)[0] for light in (0, 1)] == [0.5, 1.0]
 
 
+@backends
+@pytest.mark.parametrize("scale", [1e-100, 1e-30, 1.0, 1e12])
+def test_absurd_numbers_give_no_nan(scale: float, backend: str) -> None:
+    small = strand((-scale, 0, scale), (scale, 0, scale), (scale, 0, scale), width=scale)
+    far = np.array([[x, y, z] for x in (-1e18, 0, 1e18) for y in (0, 1e18) for z in (-1e18, 1e18)])
+    for settings in ({}, {"footprint": 1e18, "samples": 3}, {"bias": 1e18}, {"bias": 0.0}):
+        T = trace(small, at=far, backend=backend, **{"bias": "auto", **settings})
+        assert np.isfinite(T).all() and T.min() >= 0.0 and T.max() <= 1.0
+    assert trace(small, at=far[4:5], backend=backend)[0] == 0.5  # (0, 0, -1e18)
+
+
 @pytest.mark.parametrize(
     ("settings", "named"),
     [

@@ -154,9 +154,9 @@ void Builtin::build(std::uint32_t node, std::uint32_t first, std::uint32_t last,
 // std::min and std::max pass over here; the margin makes that right.
 class Slabs {
    public:
-    Slabs(const Ray& ray, const Reach& reach) : length_{float(reach.to - reach.from)} {
+    Slabs(const Ray& ray, const Reach& reach) : length_{float(reach.length)} {
         for (std::size_t i = 0; i < 3; ++i) {
-            origin_[i] = float(ray.origin[i] + reach.from * ray.toward[i]);
+            origin_[i] = float(reach.start[i]);
             inverse_[i] = float(1.0 / ray.toward[i]);
         }
     }

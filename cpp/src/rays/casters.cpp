@@ -1,5 +1,6 @@
 #include "rays/casters.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "opacity/scene/mesh.hpp"
@@ -15,8 +16,9 @@ Frame frame_around(const Scene& scene, const double4x4& rotation) {
         if (shape->is_caster()) box.extend(shape->bounds());
     }
     if (box.empty()) return {{}, rotation, 1.0};
-    const double radius = box.radius();
-    return {box.center(), rotation, radius > 1e-300 ? std::exp2(-std::ilogb(radius)) : 1.0};
+    // Of a scene without extent any scale will do.
+    const double radius = std::max(box.radius(), 1e-60);
+    return {box.center(), rotation, std::exp2(-std::ilogb(radius))};
 }
 
 template <class Value>

@@ -87,14 +87,13 @@ class Embree : public Backend {
     void search(Hits& hits, const Reach& reach) const override {
         const Ray& ray = hits.ray();
         RTCRay shadow{};
-        // From where its reach starts, which float32 can tell apart however far the origin is.
-        shadow.org_x = float(ray.origin[0] + reach.from * ray.toward[0]);
-        shadow.org_y = float(ray.origin[1] + reach.from * ray.toward[1]);
-        shadow.org_z = float(ray.origin[2] + reach.from * ray.toward[2]);
+        shadow.org_x = float(reach.start[0]);
+        shadow.org_y = float(reach.start[1]);
+        shadow.org_z = float(reach.start[2]);
         shadow.dir_x = float(ray.toward[0]);
         shadow.dir_y = float(ray.toward[1]);
         shadow.dir_z = float(ray.toward[2]);
-        shadow.tfar = infinity;
+        shadow.tfar = float(reach.length);
         shadow.mask = ~0u;
         Query query{{}, &hits, {}};
         occluded(shadow, query.context);

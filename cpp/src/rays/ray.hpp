@@ -22,9 +22,11 @@ struct Ray {
     }
 };
 
-// The part of a ray that is searched.
+// The part of a ray that is searched: from a point near the casters, which float32 can hold however
+// far the ray's origin is.
 struct Reach {
-    double from, to;
+    double3 start;
+    double length;  // negative: none
 };
 
 }  // namespace opacity::rays

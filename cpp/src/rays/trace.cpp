@@ -74,17 +74,20 @@ void check(const Scene& scene, const Positions& points, const TraceSettings& set
 
 // What lies beyond the casters' box need not be searched; where it is missed, nothing.
 rays::Reach reach_within(const Ray& ray, double from, const Box& box) {
-    rays::Reach reach{from, Box::infinity};
+    double to = Box::infinity;
     for (std::size_t i = 0; i < 3; ++i) {
         const double low = box.min[i] - ray.origin[i], high = box.max[i] - ray.origin[i];
         if (ray.toward[i] == 0.0) {
-            if (low > 0.0 || high < 0.0) return {1.0, 0.0};
+            if (low > 0.0 || high < 0.0) return {{}, -1.0};
             continue;
         }
         const double a = low / ray.toward[i], b = high / ray.toward[i];
-        reach.from = std::max(reach.from, std::min(a, b));
-        reach.to = std::min(reach.to, std::max(a, b));
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
     }
+    rays::Reach reach{{}, to - from};
+    for (std::size_t i = 0; i < 3; ++i)  // what a far origin rounds away is put right
+        reach.start[i] = std::clamp(ray.origin[i] + from * ray.toward[i], box.min[i], box.max[i]);
     return reach;
 }
 
@@ -99,7 +102,7 @@ class Tracer {
           samples_{settings.footprint > 0.0 ? settings.samples : 1},
           side_{settings.footprint * casters.frame.scale},
           bias_{std::move(bias)},
-          box_{casters.bounds.padded(rays::box_margin)} {}
+          box_{casters.bounds.padded(2.0 * rays::box_margin)} {}
 
     int samples() const { return samples_; }
 
@@ -122,9 +125,9 @@ class Tracer {
    private:
     double transmittance(const Ray& ray, double bias, rays::Hits& hits) const {
         const rays::Reach reach = reach_within(ray, bias, box_);
-        if (!(reach.from <= reach.to)) return 1.0;
+        if (!(reach.length >= 0.0)) return 1.0;
         hits.start(ray, bias);
-        backend_.search(hits, {std::max(0.0, reach.from - rays::box_margin), reach.to});
+        backend_.search(hits, reach);
         return hits.transmittance();
     }
 
