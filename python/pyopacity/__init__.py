@@ -14,7 +14,7 @@ Importing needs no OpenGL; only a :class:`Renderer` does.
 
 import logging
 
-from pyopacity import _native
+from pyopacity import _native, metrics
 from pyopacity.bounds import Bounds
 from pyopacity.camera import Camera
 from pyopacity.errors import (
@@ -32,6 +32,7 @@ from pyopacity.image import save_image
 from pyopacity.io import load
 from pyopacity.light import DirectionalLight
 from pyopacity.pass_report import PassReport, Report
+from pyopacity.receivers import Receivers
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Shape, Strands
@@ -57,6 +58,7 @@ __all__ = [
     "Parameter",
     "ParameterError",
     "PassReport",
+    "Receivers",
     "Renderer",
     "Report",
     "Scene",
@@ -67,6 +69,7 @@ __all__ = [
     "TechniqueInfo",
     "UnknownNameError",
     "load",
+    "metrics",
     "save_image",
     "technique",
     "techniques",

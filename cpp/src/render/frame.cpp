@@ -34,6 +34,21 @@ std::vector<float> rotation_of(const double4x4& m) {
             float(m[9]), float(m[2]), float(m[6]), float(m[10])};
 }
 
+// Of what turns, moves and scales along its own axes: the rows of such a matrix are orthogonal.
+double4x4 inverse_of(const double4x4& m) {
+    double4x4 result{};
+    for (int row = 0; row < 3; ++row) {
+        double squared = 0.0;
+        for (int i = 0; i < 3; ++i) squared += m[4 * row + i] * m[4 * row + i];
+        for (int i = 0; i < 3; ++i) {
+            result[4 * i + row] = m[4 * row + i] / squared;
+            result[4 * i + 3] -= m[4 * row + 3] * m[4 * row + i] / squared;
+        }
+    }
+    result[15] = 1.0;
+    return result;
+}
+
 }  // namespace
 
 void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
@@ -77,7 +92,7 @@ Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
     }
     lookup.push_back(&light_);  // lighting places every vertex in the light's map
     Texture& image = add_lighting(inputs, lookup, look_up_shader);
-    return {image, add_transmittance(lookup, look_up_shader)};
+    return {image, add_transmittance(lookup, look_up_shader), add_receivers(inputs.settings)};
 }
 
 Texture& Frame::add_opaque_depth(int map_size_px) {
@@ -138,6 +153,23 @@ Buffer& Frame::add_transmittance(const Reads& lookup, const std::string& look_up
     return result;
 }
 
+Texture& Frame::add_receivers(const RenderSettings& settings) {
+    TextureDesc picture{
+        .format = Format::rgba32f, .width = settings.width.get(), .height = settings.height.get()};
+    Texture& receivers = graph_.texture("receivers", picture);
+    picture.format = Format::depth32f;
+    Texture& depth = graph_.texture("receivers_depth", picture);
+    graph_.add(
+        {.name = "receivers",
+         .shader = {.vertex = "lighting.vert.glsl", .fragment = "receivers.frag.glsl"},
+         .draws = &lists_.visible,
+         .view = &camera_,
+         .reads = {&light_, &lists_.visible.color},
+         .writes = {&receivers, &depth},
+         .state = {.depth = Depth::greater, .clear_depth = 0.f, .clear_color = {0, 0, 0, -2}}});
+    return receivers;
+}
+
 void Frame::ask(PassContext& context, Buffer& points, Buffer& result, std::size_t first) {
     const std::span<const float> part = std::span{query_points_ls_}.subspan(
         first, std::min(4 * most_points, query_points_ls_.size() - first));
@@ -154,6 +186,27 @@ void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
     const Goals goals = declare(inputs, Box{});
     graph_.run(goals.image);
     device_.read(goals.image, std::as_writable_bytes(rgba));
+}
+
+Receivers Frame::receivers(const FrameInputs& inputs) {
+    const Goals goals = declare(inputs, Box{});
+    graph_.run(goals.receivers);
+    Receivers result{inputs.settings.width.get(), inputs.settings.height.get(), {}, {}};
+    const std::size_t count = std::size_t(result.width) * result.height;
+    std::vector<float> points_ls(4 * count);
+    device_.read(goals.receivers, std::as_writable_bytes(std::span{points_ls}));
+    const double4x4 to_world = inverse_of(light_.from_world());
+    result.points_ws.reserve(3 * count);
+    result.bias.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* p = &points_ls[4 * i];
+        const bool is_seen = p[3] > -1.5f;
+        const double3 point =
+            is_seen ? transform_point(to_world, {p[0], p[1], p[2]}) : double3{0.0, 0.0, 0.0};
+        result.points_ws.insert(result.points_ws.end(), point.begin(), point.end());
+        result.bias.push_back(p[3]);
+    }
+    return result;
 }
 
 std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Positions& world_points,

@@ -31,13 +31,14 @@ class Frame {
     // A receiver of this strand width, in world units; 0 for a surface.
     std::vector<float> transmittance(const FrameInputs& inputs, const Positions& world_points,
                                      double receiver_width);
+    Receivers receivers(const FrameInputs& inputs);
     FrameGraph& graph() { return graph_; }
     const double4x4& light_from_world() const { return light_.from_world(); }
 
    private:
-    // What the two goals of a frame are written to.
+    // What the goals of a frame are written to.
     struct Goals {
-        const Resource &image, &transmittance;
+        const Resource &image, &transmittance, &receivers;
     };
     Goals declare(const FrameInputs& inputs, const Box& query);
     void update_sources(const FrameInputs& inputs, const Box& query);
@@ -45,6 +46,7 @@ class Frame {
     // `look_up_shader` defines shadow_transmittance, and takes what `lookup` feeds.
     Texture& add_lighting(const FrameInputs& inputs, const Reads& lookup,
                           const std::string& look_up_shader);
+    Texture& add_receivers(const RenderSettings& settings);
     // Points from `first` on, as many as fit one storage buffer.
     void ask(PassContext& context, Buffer& points, Buffer& result, std::size_t first);
     Buffer& add_transmittance(const Reads& lookup, const std::string& look_up_shader);

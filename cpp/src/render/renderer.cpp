@@ -49,9 +49,8 @@ struct Renderer::Impl {
     }
 
     // The picture is drawn oversampled: both together must fit a texture.
-    void check_size() const {
+    void check_size(int samples) const {
         const int largest = std::max(settings.width.get(), settings.height.get());
-        const int samples = settings.antialiasing.get();
         if (largest * std::int64_t{samples} <= most_texels) return;
         throw ParameterError(
             "a picture of " + std::to_string(largest) + " pixels along a side at antialiasing " +
@@ -143,7 +142,7 @@ void Renderer::render(std::span<float> rgba) {
                                  " floats, the buffer " + std::to_string(rgba.size()),
                              "pass 4 * width * height floats");
     impl_->check_light(0);
-    impl_->check_size();
+    impl_->check_size(impl_->settings.antialiasing.get());
     const gl::Context::Use use{*impl_->context};
     impl_->frame->render(impl_->inputs(), rgba);
 }
@@ -155,6 +154,13 @@ std::vector<float> Renderer::transmittance(const Positions& world_points, int li
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
     const Receivers receivers = receivers_on(shape);
     return impl_->transmittance(receivers.world_points, light, receivers.strand_width);
+}
+
+Receivers Renderer::receivers() {
+    impl_->check_light(0);
+    impl_->check_size(1);
+    const gl::Context::Use use{*impl_->context};
+    return impl_->frame->receivers(impl_->inputs());
 }
 
 double4x4 Renderer::light_from_world() const {
