@@ -32,7 +32,8 @@ from pyopacity.image import save_image
 from pyopacity.io import load
 from pyopacity.light import DirectionalLight
 from pyopacity.pass_report import PassReport, Report
-from pyopacity.receivers import Receivers
+from pyopacity.picture_receivers import PictureReceivers
+from pyopacity.reference_picture import traced_picture
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Shape, Strands
@@ -58,7 +59,7 @@ __all__ = [
     "Parameter",
     "ParameterError",
     "PassReport",
-    "Receivers",
+    "PictureReceivers",
     "Renderer",
     "Report",
     "Scene",
@@ -75,4 +76,5 @@ __all__ = [
     "techniques",
     "trace_backends",
     "trace_transmittance",
+    "traced_picture",
 ]

@@ -17,7 +17,7 @@ from pyopacity._attributes import HasParameters, add_parameters
 from pyopacity.camera import Camera
 from pyopacity.errors import ContextError, OutOfMemoryError, ParameterError
 from pyopacity.pass_report import PassReport, Report
-from pyopacity.receivers import Receivers
+from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.scene import Scene
 from pyopacity.shapes import Shape
 from pyopacity.technique import Technique
@@ -140,7 +140,7 @@ class Renderer(HasParameters):
         with self._log_after():
             return self._engine.transmittance(points, index)
 
-    def receivers(self) -> Receivers:
+    def receivers(self) -> PictureReceivers:
         """The points at which the picture looks T up, one a pixel.
 
         They are those of the picture that :meth:`render` makes with ``antialiasing`` 1. With T
@@ -151,7 +151,7 @@ class Renderer(HasParameters):
             points, bias = self._engine.receivers()
         mask = bias >= 0.0
         bias[~mask] = 0.0
-        return Receivers(points, bias, mask)
+        return PictureReceivers(points, bias, mask)
 
     def read(self, name: str) -> npt.NDArray[np.float32]:
         """A texture of the last frame by name, such as "bounding_opacity_maps/opacity".

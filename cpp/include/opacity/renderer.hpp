@@ -43,7 +43,7 @@ struct TextureContent {
 
 // What the centre of each pixel sees, top row first: the point at which the picture looks T up,
 // which on a strand is its centre line.
-struct Receivers {
+struct PictureReceivers {
     int width = 0, height = 0;
     std::vector<double> points_ws;  // three a pixel; 0 where nothing is seen
     std::vector<float> bias;  // the automatic bias, world units; negative where no shadow falls
@@ -78,7 +78,7 @@ class Renderer {
     std::vector<float> transmittance(const Shape& shape, int light = 0);
 
     // Of the picture that render() makes with antialiasing 1.
-    Receivers receivers();
+    PictureReceivers receivers();
 
     // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along
     // the light.

@@ -57,7 +57,7 @@ py::array transmittance_of(Renderer& self, const Shape& shape, int light) {
 
 // (points (H, W, 3), bias (H, W)).
 py::tuple receivers(Renderer& self) {
-    Receivers seen;
+    PictureReceivers seen;
     {
         const py::gil_scoped_release release;
         seen = self.receivers();

@@ -188,10 +188,10 @@ void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
     device_.read(goals.image, std::as_writable_bytes(rgba));
 }
 
-Receivers Frame::receivers(const FrameInputs& inputs) {
+PictureReceivers Frame::receivers(const FrameInputs& inputs) {
     const Goals goals = declare(inputs, Box{});
     graph_.run(goals.receivers);
-    Receivers result{inputs.settings.width.get(), inputs.settings.height.get(), {}, {}};
+    PictureReceivers result{inputs.settings.width.get(), inputs.settings.height.get(), {}, {}};
     const std::size_t count = std::size_t(result.width) * result.height;
     std::vector<float> points_ls(4 * count);
     device_.read(goals.receivers, std::as_writable_bytes(std::span{points_ls}));

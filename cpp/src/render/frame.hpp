@@ -31,7 +31,7 @@ class Frame {
     // A receiver of this strand width, in world units; 0 for a surface.
     std::vector<float> transmittance(const FrameInputs& inputs, const Positions& world_points,
                                      double receiver_width);
-    Receivers receivers(const FrameInputs& inputs);
+    PictureReceivers receivers(const FrameInputs& inputs);
     FrameGraph& graph() { return graph_; }
     const double4x4& light_from_world() const { return light_.from_world(); }
 

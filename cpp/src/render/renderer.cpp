@@ -156,7 +156,7 @@ std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
     return impl_->transmittance(receivers.world_points, light, receivers.strand_width);
 }
 
-Receivers Renderer::receivers() {
+PictureReceivers Renderer::receivers() {
     impl_->check_light(0);
     impl_->check_size(1);
     const gl::Context::Use use{*impl_->context};

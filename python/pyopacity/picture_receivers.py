@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Receivers:
+class PictureReceivers:
     """What the centre of each pixel sees, top row first; from :meth:`pyopacity.Renderer.receivers`.
 
     Attributes:
