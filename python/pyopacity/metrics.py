@@ -17,7 +17,7 @@ import numpy.typing as npt
 from pyopacity import _arrays
 from pyopacity.errors import Error, ParameterError
 
-__all__ = ["Errors", "bias", "errors", "flip", "mae", "maximum", "p99", "rmse"]
+__all__ = ["Errors", "bias", "errors", "flip", "has_flip", "mae", "maximum", "p99", "rmse"]
 
 _F64 = npt.NDArray[np.float64]
 
@@ -85,16 +85,25 @@ def flip(reference: npt.NDArray[Any], image: npt.NDArray[Any]) -> float:
     expected, shown = _displayed("reference", reference), _displayed("image", image)
     if expected.shape != shown.shape:
         raise _shapes_differ("image", shown.shape, expected.shape)
-    try:
-        import flip_evaluator
-    except ImportError as error:
+    if not has_flip():
         raise Error(
             "flip-evaluator, NVIDIA's package for FLIP, is not installed",
             "pip install 'pyopacity[compare]'",
-        ) from error
+        )
+    import flip_evaluator
+
     # Low dynamic range, not sRGB but linear, no colour map.
     _, mean, _ = flip_evaluator.evaluate(expected, shown, "LDR", False, False, True, {})
     return float(mean)
+
+
+def has_flip() -> bool:
+    """Whether flip-evaluator is installed, without which :func:`flip` is an error."""
+    try:
+        import flip_evaluator  # noqa: F401
+    except ImportError:
+        return False
+    return True
 
 
 def _rmse(difference: _F64) -> float:
