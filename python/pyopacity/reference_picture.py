@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import _arrays
-from pyopacity._arrays import Floats, Number
+from pyopacity._arrays import Attribute, Floats, Number
 from pyopacity.camera import Camera
 from pyopacity.errors import ParameterError
 from pyopacity.picture_receivers import PictureReceivers
@@ -67,7 +67,8 @@ class PictureParts:
         n = self.samples
         height, width, channels = picture.shape
         blocks = picture.reshape(height // n, n, width // n, n, channels)
-        return blocks.mean(axis=(1, 3)).astype(np.float32)
+        averaged: _F32 = blocks.mean(axis=(1, 3)).astype(np.float32)
+        return averaged
 
 
 def picture_parts(
@@ -91,14 +92,23 @@ def picture_parts(
     return PictureParts(dark, lit, receivers, n)
 
 
+def traced(
+    scene: Scene,
+    parts: PictureParts,
+    bias: Attribute | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> _F32:
+    """The picture of ``parts`` with a ray from each sample; ``bias`` None is the automatic one."""
+    biases = parts.bias if bias is None else bias
+    return parts.shaded(trace_transmittance(scene, parts.points, 0, bias=biases, progress=progress))
+
+
 def traced_picture(
     scene: Scene,
     camera: Camera | None = None,
     size: tuple[int, int] = (256, 192),
     samples: int = 4,
     *,
-    footprint: Number = 0.0,
-    rays: int = 4,
     bias: Number | str = "auto",
     progress: Callable[[float], object] | None = None,
     **settings: Any,
@@ -106,13 +116,11 @@ def traced_picture(
     """The picture with ray-traced shadows: what every technique's picture is measured against.
 
     Args:
-        scene: as for :class:`pyopacity.Renderer`, with one light.
+        scene: as for :class:`pyopacity.Renderer`, with one light at most.
         camera: the default sees all of the scene.
         size: width and height in pixels.
-        samples: n of n x n samples a pixel, 1 .. 8, each with a T of its own. The renderer draws
+        samples: n of n x n samples a pixel, 1 .. 8, each with a ray of its own. The renderer draws
             the same samples at ``antialiasing=n``.
-        footprint: side in world units of the square over which T is averaged; 0 for a point.
-        rays: rays for each T, spread over the footprint.
         bias: world units toward the light within which casters do not count; "auto" is the
             renderer's own: the width of the strand, at least 1e-4 of the casters' radius.
         progress: called with the part of the rays that is done, 0 .. 1.
@@ -126,8 +134,7 @@ def traced_picture(
         ParameterError: a value outside its range.
     """
     parts = picture_parts(scene, camera or Camera.fit(scene), size, samples, **settings)
-    if not scene.lights:
-        return parts.shaded(np.ones(len(parts.points)))
-    biases = parts.bias if isinstance(bias, str) and bias == "auto" else bias
-    T = trace_transmittance(scene, parts.points, 0, footprint, rays, bias=biases, progress=progress)
-    return parts.shaded(T)
+    if isinstance(bias, str):
+        _arrays.choice("bias", bias, ("auto",))
+        return traced(scene, parts, progress=progress)
+    return traced(scene, parts, _arrays.number("bias", bias), progress)

@@ -59,11 +59,10 @@ def _add_measures(add: Any) -> None:
         "--footprint",
         metavar="N",
         help="side of the square over which T by rays is averaged, in world units, the same for "
-        "all maps (default: two texels of each map; of the 512 map for pictures)",
+        "all maps (default: two texels of each map)",
     )
     add("--image-size", default="256x192", metavar="WxH", help="of pictures (default: 256x192)")
     add("--image-samples", default="4", metavar="N", help="n x n a pixel, 1..8 (default: 4)")
-    add("--image-rays", default="4", metavar="N", help="rays for each sample (default: 4)")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -116,7 +115,6 @@ def _plan(arguments: argparse.Namespace) -> Plan:
         footprint=footprint,
         image_size=scene_options.size("--image-size", arguments.image_size),
         image_samples=image_samples,
-        image_rays=text.whole("--image-rays", arguments.image_rays, 1, 65536),
         settings=scene_options.settings(arguments, _WITHOUT),
     )
 

@@ -72,7 +72,7 @@ def _facts(row: Row) -> str:
         f"{row['receivers']:,} receivers (seed {row['seed']})",
         f"{row['samples']} rays a footprint",
         f"pictures {row['image_size']}, {row['image_samples']} x {row['image_samples']} samples "
-        f"a pixel with {row['image_rays']} rays each over {row['image_footprint']:.4g} world units",
+        "a pixel with a ray each",
         f"pyopacity {row['version']} on {row['renderer']}",
     ]
     return html.escape("; ".join(facts)) + "."

@@ -40,11 +40,10 @@ class Plan:
         map_sizes: texels along each side of the light's maps.
         receivers: how many vertices of the shapes that receive, chosen by ``seed``.
         samples: rays over each footprint.
-        footprint: its side in world units, of all maps alike; None for two texels of each map,
-            and of the 512^2 map for pictures.
+        footprint: its side in world units, of all maps alike; None for two texels of each map.
         image_size: pixels.
-        image_samples: n of n x n samples a pixel, of the traced picture and of the others.
-        image_rays: rays for each of these samples.
+        image_samples: n of n x n samples a pixel, of the traced picture, with a ray from each, and
+            of the others.
         repeats: frames of which the seconds are the median.
         settings: of the renderer, such as ``ambient`` and ``background``.
     """
@@ -59,7 +58,6 @@ class Plan:
     footprint: float | None = None
     image_size: tuple[int, int] = (256, 192)
     image_samples: int = 4
-    image_rays: int = 4
     repeats: int = 3
     settings: Mapping[str, Any] = field(default_factory=dict)
 

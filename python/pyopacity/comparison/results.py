@@ -15,7 +15,7 @@ from pyopacity._files import whole_file
 from pyopacity.comparison import page
 from pyopacity.comparison.plan import Plan
 from pyopacity.comparison.rows import Result
-from pyopacity.comparison.truth import F32
+from pyopacity.comparison.surfaces import F32
 from pyopacity.errors import ParameterError
 
 # Linear luminance that makes an error map fully red or blue.
@@ -73,8 +73,6 @@ class Results:
             "samples": plan.samples,
             "image_size": f"{width}x{height}",
             "image_samples": plan.image_samples,
-            "image_rays": plan.image_rays,
-            "image_footprint": result.image_footprint,
             **result.figures(),
             "renderer": result.renderer,
             "version": _native.version(),

@@ -12,8 +12,8 @@ import numpy as np
 from pyopacity import _arrays, metrics
 from pyopacity.camera import Camera
 from pyopacity.comparison.plan import Plan, Variant
+from pyopacity.comparison.surfaces import F32
 from pyopacity.comparison.truth import (
-    F32,
     FOOTPRINT_TEXELS,
     Bias,
     DepthReference,
@@ -36,8 +36,7 @@ class Result:
     Attributes:
         variant: the technique and its parameters.
         map_size: texels along each side.
-        footprint, image_footprint: sides in world units of what T by rays is averaged over, at the
-            receivers and in the picture.
+        footprint: side in world units of the square over which T by rays is averaged.
         receivers: how many.
         depth: of T at the receivers, against the exact lists of the same map.
         total: of T at the receivers, against rays.
@@ -52,7 +51,6 @@ class Result:
     variant: Variant
     map_size: int
     footprint: float
-    image_footprint: float
     receivers: int
     depth: Errors
     total: Errors
@@ -134,7 +132,6 @@ class _Bench:
             variant=variant,
             map_size=renderer.map_size,
             footprint=footprint,
-            image_footprint=truth.image_footprint,
             receivers=len(measured),
             depth=metrics.errors(measured, exact),
             total=metrics.errors(measured, truth.transmittance(footprint, bias)),

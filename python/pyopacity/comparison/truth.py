@@ -10,21 +10,19 @@ import numpy.typing as npt
 
 from pyopacity.camera import Camera
 from pyopacity.comparison.plan import Plan, Variant
+from pyopacity.comparison.surfaces import F32, F64, trace_on_surfaces
 from pyopacity.errors import ParameterError
-from pyopacity.reference_picture import PictureParts, picture_parts
+from pyopacity.reference_picture import PictureParts, picture_parts, traced
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
-from pyopacity.shapes import Shape
-from pyopacity.technique import EXACT, UNSHADOWED, techniques
+from pyopacity.shapes import Mesh, Shape
+from pyopacity.technique import EXACT, techniques
 from pyopacity.trace import trace_transmittance
 
-F32 = npt.NDArray[np.float32]
-F64 = npt.NDArray[np.float64]
 Bias = float | None  # of a technique, world units; None: automatic
 Progress = Callable[[str], object]
 
-# What compares maps of several sizes takes one footprint for all: two texels of this one.
-MAP_SIZE_OF_THE_FOOTPRINT = 512
+# What judges one map (docs/accuracy.md).
 FOOTPRINT_TEXELS = 2.0
 
 
@@ -35,11 +33,13 @@ class Receivers:
     Attributes:
         chosen: (shape, indices of its vertices, ascending).
         points: (N, 3) float64, world units.
+        normals: (N, 3) float64, of any length; 0 on a strand.
         bias: (N,) float64, world units: the automatic bias of each vertex's shape.
     """
 
     chosen: list[tuple[Shape, npt.NDArray[np.int64]]]
     points: F64
+    normals: F64
     bias: F64
 
     def transmittance(self, renderer: Renderer) -> F32:
@@ -62,7 +62,7 @@ def sample_receivers(scene: Scene, count: int, seed: int) -> Receivers:
     total = int(ends[-1])
     random = np.random.default_rng(seed)
     kept = np.sort(random.choice(total, min(count, total), replace=False))
-    chosen, points, bias = [], [], []
+    chosen, points, normals, bias = [], [], [], []
     for shape, end in zip(shapes, ends, strict=True):
         first = end - len(shape.points)
         own = kept[(kept >= first) & (kept < end)] - first
@@ -71,8 +71,11 @@ def sample_receivers(scene: Scene, count: int, seed: int) -> Receivers:
         matrix = shape.transform
         chosen.append((shape, own))
         points.append(shape.points[own].astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
+        normals.append(np.zeros((len(own), 3)))
+        if isinstance(shape, Mesh):
+            normals[-1] = shape.normals[own] @ np.linalg.inv(matrix[:3, :3])
         bias.append(np.full(len(own), scene._handle.automatic_bias(shape._handle)))
-    return Receivers(chosen, np.concatenate(points), np.concatenate(bias))
+    return Receivers(chosen, *(np.concatenate(part) for part in (points, normals, bias)))
 
 
 def texel_side(renderer: Renderer) -> float:
@@ -109,55 +112,46 @@ class Truth:
         self._parts: PictureParts | None = None
         self._pictures: dict[Bias, F32] = {}
         self._transmittance: dict[tuple[float, Bias], F32] = {}
-        self.image_footprint = self._footprint_of_pictures()
 
     def transmittance(self, footprint: float, bias: Bias) -> F32:
         """(N,) float32 at the receivers: the mean over a square of this side in world units."""
         key = (footprint, bias)
         if key not in self._transmittance:
-            biases = self._receivers.bias if bias is None else bias
-            points, rays = self._receivers.points, self._plan.samples
-            self._transmittance[key] = self._trace("receivers", points, biases, footprint, rays)
+            self._transmittance[key] = self._trace(footprint, bias)
         return self._transmittance[key]
 
     def picture(self, bias: Bias) -> F32:
         """(H, W, 4) float32: the camera's picture, shaded with T by rays."""
         if bias not in self._pictures:
-            parts = self._picture_parts()
-            biases = parts.bias if bias is None else bias
-            footprint, rays = self.image_footprint, self._plan.image_rays
-            T = self._trace("the picture", parts.points, biases, footprint, rays)
-            self._pictures[bias] = parts.shaded(T)
+            plan = self._plan
+            if self._parts is None:
+                self._parts = picture_parts(
+                    self._scene, self._camera, plan.image_size, plan.image_samples, **plan.settings
+                )
+            self._pictures[bias] = traced(
+                self._scene, self._parts, bias, self._tell("tracing rays from the picture")
+            )
         return self._pictures[bias]
 
-    def _picture_parts(self) -> PictureParts:
-        if self._parts is None:
-            plan = self._plan
-            self._parts = picture_parts(
-                self._scene, self._camera, plan.image_size, plan.image_samples, **plan.settings
+    def _trace(self, footprint: float, bias: Bias) -> F32:
+        receivers, samples = self._receivers, self._plan.samples
+        biases = receivers.bias if bias is None else np.full_like(receivers.bias, bias)
+        on_surface = receivers.normals.any(axis=1) & (footprint > 0.0)
+        T = np.empty(len(biases), np.float32)
+        if (~on_surface).any():
+            points = receivers.points[~on_surface]
+            tell = self._tell("tracing rays from strands")
+            T[~on_surface] = trace_transmittance(
+                self._scene, points, 0, footprint, samples, bias=biases[~on_surface], progress=tell
             )
-        return self._parts
+        if on_surface.any():
+            points, normals = receivers.points[on_surface], receivers.normals[on_surface]
+            tell = self._tell("tracing rays from surfaces")
+            T[on_surface] = trace_on_surfaces(
+                self._scene, points, normals, biases[on_surface], footprint, samples, tell
+            )
+        return T
 
-    def _trace(
-        self, where: str, points: F64, bias: F64 | F32 | float, footprint: float, rays: int
-    ) -> F32:
-        def tell(part: float) -> None:
-            self._progress(f"tracing rays from {where}: {100.0 * part:.0f} %")
-
-        tell(0.0)
-        return trace_transmittance(
-            self._scene, points, 0, footprint, rays, bias=bias, progress=tell
-        )
-
-    def _footprint_of_pictures(self) -> float:
-        if self._plan.footprint is not None:
-            return self._plan.footprint
-        with Renderer(
-            self._scene,
-            self._camera,
-            (8, 8),
-            UNSHADOWED,
-            map_size=MAP_SIZE_OF_THE_FOOTPRINT,
-        ) as renderer:
-            renderer.render()
-            return FOOTPRINT_TEXELS * texel_side(renderer)
+    def _tell(self, what: str) -> Callable[[float], object]:
+        self._progress(what)
+        return lambda part: self._progress(f"{what}: {100.0 * part:.0f} %")
