@@ -53,10 +53,10 @@ def html_of(rows: Sequence[Row]) -> str:
         _MEANING,
         f'<div class="scroll">{_table(rows)}</div>',
         "<h2>Error over time</h2>",
-        "<p>RMSE over the seconds of a whole frame from nothing, by the number in the table.</p>",
+        "<p>RMSE over the seconds of a whole frame from nothing; numbers as in the table.</p>",
         f'<div class="row">{_plots(rows)}</div>',
         "<h2>Pictures</h2>",
-        "<p>Error maps: red is too light, blue too dark, by .25 or more.</p>",
+        "<p>Error maps: red is too light, blue too dark, by .1 or more.</p>",
         *(_pictures(number, row) for number, row in enumerate(rows, 1)),
         f"<p><code>{html.escape(first['command'])}</code></p>",
     ]

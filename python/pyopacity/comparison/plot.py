@@ -11,6 +11,7 @@ from dataclasses import dataclass
 _COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c6d31", "#7f7f7f")
 _WIDTH, _HEIGHT = 360, 260
 _LEFT, _RIGHT, _TOP, _BOTTOM = 52, 16, 30, 40
+_LEAST_ERROR = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,43 +31,35 @@ def color_of(index: int) -> str:
 
 
 def error_over_time(title: str, points: Sequence[Point]) -> str:
-    """Seconds across, logarithmic; the error upward, from 0."""
-    low, high = _decades(point.seconds for point in points)
-    step = _step(max(point.error for point in points))
-    top = step * max(1, math.ceil(max(point.error for point in points) / step))
-
-    def x_of(seconds: float) -> float:
-        part = (math.log10(seconds) - low) / (high - low)
-        return _LEFT + part * (_WIDTH - _LEFT - _RIGHT)
-
-    def y_of(error: float) -> float:
-        return _HEIGHT - _BOTTOM - error / top * (_HEIGHT - _TOP - _BOTTOM)
-
+    """Seconds across, the error upward, both logarithmic; errors below .0001 lie on the ground."""
+    across = _Axis([p.seconds for p in points], _LEFT, _WIDTH - _RIGHT)
+    upward = _Axis([max(p.error, _LEAST_ERROR) for p in points], _HEIGHT - _BOTTOM, _TOP)
     parts = [f'<text x="{_WIDTH / 2}" y="16" class="title">{html.escape(title)}</text>']
-    for exponent in range(low, high + 1):
-        parts.append(_grid(x_of(10.0**exponent), None, f"{10.0**exponent:g} s"))
-    for tick in range(round(top / step) + 1):
-        parts.append(_grid(None, y_of(tick * step), f"{tick * step:.4g}"))
-    parts += [_dot(x_of(p.seconds), y_of(p.error), p) for p in points]
+    parts += [_grid(across.place(tick), None, f"{tick:g} s") for tick in across.ticks()]
+    parts += [_grid(None, upward.place(tick), f"{tick:g}") for tick in upward.ticks()]
+    for p in points:
+        parts.append(_dot(across.place(p.seconds), upward.place(max(p.error, _LEAST_ERROR)), p))
     return (
         f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" role="img" '
         f'aria-label="{html.escape(title)} over seconds a frame">{"".join(parts)}</svg>'
     )
 
 
-def _decades(values: Iterable[float]) -> tuple[int, int]:
-    """Powers of ten around values above 0, at least one apart."""
-    logarithms = [math.log10(value) for value in values]
-    low, high = math.floor(min(logarithms)), math.ceil(max(logarithms))
-    return low, max(high, low + 1)
+class _Axis:
+    """Whole decades around values above 0, at least one, between two places."""
 
+    def __init__(self, values: Iterable[float], start: float, end: float) -> None:
+        logarithms = [math.log10(value) for value in values]
+        self._low = math.floor(min(logarithms))
+        self._high = max(math.ceil(max(logarithms)), self._low + 1)
+        self._start, self._end = start, end
 
-def _step(largest: float) -> float:
-    """Between ticks: 1, 2 or 5 times a power of ten, some four of them up to the largest."""
-    if not largest > 0.0:
-        return 1.0
-    power = 10.0 ** math.floor(math.log10(largest / 4.0))
-    return next(factor * power for factor in (1, 2, 5, 10) if factor * power >= largest / 4.0)
+    def place(self, value: float) -> float:
+        part = (math.log10(value) - self._low) / (self._high - self._low)
+        return self._start + part * (self._end - self._start)
+
+    def ticks(self) -> list[float]:
+        return [10.0**exponent for exponent in range(self._low, self._high + 1)]
 
 
 def _grid(x: float | None, y: float | None, label: str) -> str:

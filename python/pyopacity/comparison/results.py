@@ -19,7 +19,7 @@ from pyopacity.comparison.surfaces import F32
 from pyopacity.errors import ParameterError
 
 # Linear luminance that makes an error map fully red or blue.
-ERROR_MAP_RANGE = 0.25
+ERROR_MAP_RANGE = 0.1
 _LUMINANCE = np.array([0.2126, 0.7152, 0.0722], np.float32)
 
 

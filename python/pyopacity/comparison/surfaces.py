@@ -70,7 +70,7 @@ def _starts(
     facing = np.where(np.abs(facing) > 1e-9, facing, 1e-9)
     depth = -np.einsum("nsi,ni->ns", across, normals) / facing[:, None]
     limit = _MOST_DEPTH * footprint
-    starts = points[:, None] + across + np.clip(depth, -limit, limit)[..., None] * along
+    starts: F64 = points[:, None] + across + np.clip(depth, -limit, limit)[..., None] * along
     return starts.reshape(-1, 3)
 
 
