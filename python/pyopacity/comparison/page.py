@@ -18,7 +18,7 @@ _STYLE = """
 body { margin: 2rem auto; max-width: 76rem; padding: 0 1rem; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .85rem; }
 th, td { padding: .2rem .5rem; text-align: right; }
-th:nth-child(2), td:nth-child(2) { text-align: left; }
+thead tr:first-child th, th:nth-child(2), td:nth-child(2) { text-align: left; }
 thead th { border-bottom: 1px solid #8886; }
 tbody tr:hover { background: #8882; }
 .first { border-left: 1px solid #8886; }
