@@ -13,8 +13,6 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
-
 import pyopacity as po
 
 LAYERS = (4, 8, 16, 32)
@@ -51,17 +49,14 @@ def errors(
     """(split, layers) -> (RMSE, mean) of T minus that of the exact lists."""
     result = {}
     with po.Renderer(scene, size=(8, 8), technique="exact", map_size=map_size) as r:
-        exact = r.transmittance(strands).astype(np.float64)
+        exact = r.transmittance(strands)
         r.technique = po.technique("bounding_opacity_maps")
         for split in SPLITS:
             r.technique.split = split
             for layers in LAYERS:
                 r.technique.layers = layers
-                difference = r.transmittance(strands) - exact
-                result[split, layers] = (
-                    float(np.sqrt(np.mean(difference**2))),
-                    float(difference.mean()),
-                )
+                found = po.metrics.errors(r.transmittance(strands), exact)
+                result[split, layers] = found.rmse, found.bias
     return result
 
 

@@ -10,6 +10,7 @@ extras = project["optional-dependencies"]
 requirements = [
     *pyproject["build-system"]["requires"],
     *project["dependencies"],
+    *extras["compare"],
     *extras["test"],
     *extras["dev"],
 ]

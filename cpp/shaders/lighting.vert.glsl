@@ -1,5 +1,6 @@
 // Shapes as the camera sees them. Strands are ribbons that face it, joined along their common
 // tangents.
+invariant gl_Position;  // every pass from the camera sees the same fragment in front
 uniform mat4 u_camera_from_local;
 uniform mat4 u_camera_clip_from_view;
 uniform mat4 u_light_from_local;

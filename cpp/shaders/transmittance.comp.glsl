@@ -8,7 +8,7 @@ struct Query {
     vec4 direction;  // w: opacity
     vec4 ends;
 };
-layout(std430) readonly buffer b_receivers { Query receivers[]; };
+layout(std430) readonly buffer b_query { Query queries[]; };
 layout(std430) writeonly buffer b_transmittance { float transmittance[]; };
 uniform int u_receiver_count;
 uniform float u_receiver_width;  // world units
@@ -16,7 +16,7 @@ uniform float u_receiver_width;  // world units
 void main() {
     uint index = invocation_index();
     if (index >= uint(u_receiver_count)) return;
-    Query query = receivers[index];
+    Query query = queries[index];
     transmittance[index] = shadow_transmittance(Receiver(query.p_ls.xyz, u_receiver_width, query.direction.w,
                                                          query.p_ls.w, query.direction.xyz, query.ends.xy));
 }

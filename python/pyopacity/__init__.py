@@ -14,7 +14,7 @@ Importing needs no OpenGL; only a :class:`Renderer` does.
 
 import logging
 
-from pyopacity import _native
+from pyopacity import _native, metrics
 from pyopacity.bounds import Bounds
 from pyopacity.camera import Camera
 from pyopacity.errors import (
@@ -32,10 +32,13 @@ from pyopacity.image import save_image
 from pyopacity.io import load
 from pyopacity.light import DirectionalLight
 from pyopacity.pass_report import PassReport, Report
+from pyopacity.picture_receivers import PictureReceivers
+from pyopacity.reference_picture import traced_picture
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Shape, Strands
 from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
+from pyopacity.trace import trace_backends, trace_transmittance
 
 __version__ = _native.version()
 
@@ -56,6 +59,7 @@ __all__ = [
     "Parameter",
     "ParameterError",
     "PassReport",
+    "PictureReceivers",
     "Renderer",
     "Report",
     "Scene",
@@ -66,7 +70,11 @@ __all__ = [
     "TechniqueInfo",
     "UnknownNameError",
     "load",
+    "metrics",
     "save_image",
     "technique",
     "techniques",
+    "trace_backends",
+    "trace_transmittance",
+    "traced_picture",
 ]

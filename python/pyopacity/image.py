@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import _arrays, _native
+from pyopacity._files import whole_file
 from pyopacity.errors import ParameterError
 
 Writer = Callable[[pathlib.Path, npt.NDArray[Any]], None]
@@ -62,17 +63,8 @@ def _save_png(path: pathlib.Path, image: npt.NDArray[Any]) -> None:
 
 
 def _save_npy(path: pathlib.Path, image: npt.NDArray[Any]) -> None:
-    partial = path.with_name(f"{path.name}.{os.getpid()}.part")
-    try:
-        with partial.open("xb") as file:
-            np.save(file, image, allow_pickle=False)
-        partial.replace(path)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise ParameterError(
-            f"{path} cannot be written: {error.strerror}",
-            "choose a file in a folder that has room, and where you may write",
-        ) from error
+    with whole_file(path) as file:
+        np.save(file, image, allow_pickle=False)
 
 
 _WRITERS: dict[str, Writer] = {".png": _save_png, ".npy": _save_npy}

@@ -17,6 +17,7 @@ from pyopacity._attributes import HasParameters, add_parameters
 from pyopacity.camera import Camera
 from pyopacity.errors import ContextError, OutOfMemoryError, ParameterError
 from pyopacity.pass_report import PassReport, Report
+from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.scene import Scene
 from pyopacity.shapes import Shape
 from pyopacity.technique import Technique
@@ -140,6 +141,19 @@ class Renderer(HasParameters):
         points = _arrays.floats("points", where, ("N", 3))
         with self._log_after():
             return self._engine.transmittance(points, index)
+
+    def receivers(self) -> PictureReceivers:
+        """The points at which the picture looks T up, one a pixel.
+
+        They are those of the picture that :meth:`render` makes with ``antialiasing`` 1. With T
+        there from any other source, the picture is *dark + T (lit - dark)*, since shading is linear
+        in T: *lit* is rendered by the technique that casts no shadow, *dark* without a light.
+        """
+        with self._log_after():
+            points, bias = self._engine.receivers()
+        mask = bias >= 0.0
+        bias[~mask] = 0.0
+        return PictureReceivers(points, bias, mask)
 
     def read(self, name: str) -> npt.NDArray[np.float32]:
         """A texture of the last frame by name, such as "bounding_opacity_maps/opacity".

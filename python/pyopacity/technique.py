@@ -8,6 +8,9 @@ from pyopacity import _arrays, _native
 from pyopacity._attributes import HasParameters, add_parameters
 from pyopacity._native import Parameter as Parameter
 
+# The two ends of every comparison, which no other technique can be: every fragment, and none.
+EXACT, UNSHADOWED = "exact", "unshadowed"
+
 
 class Technique(HasParameters):
     """A shadow method with its parameters, made by :func:`pyopacity.technique`.

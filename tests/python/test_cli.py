@@ -142,6 +142,7 @@ def test_no_context_is_exit_code_3(run: Run, tmp_path: pathlib.Path) -> None:
     doctor = run("doctor", **nowhere)
     assert doctor.returncode == 3
     assert po.__version__ in doctor.stdout and "none" in doctor.stdout
+    assert ", ".join(po.trace_backends()) in doctor.stdout
     rendered = run("render", DEMO, "-o", str(tmp_path / "a.png"), **nowhere)
     assert rendered.returncode == 3 and list(tmp_path.iterdir()) == []
     for result in (doctor, rendered):

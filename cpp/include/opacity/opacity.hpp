@@ -15,6 +15,8 @@
 #include "opacity/scene/strands.hpp"
 // files and generated scenes
 #include "opacity/io/load.hpp"
+// truth by rays
+#include "opacity/trace.hpp"
 // passes
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/graph/report.hpp"

@@ -45,6 +45,14 @@ struct TextureContent {
     std::vector<float> values;
 };
 
+// What the centre of each pixel sees, top row first: the point at which the picture looks T up,
+// which on a strand is its centre line.
+struct PictureReceivers {
+    int width = 0, height = 0;
+    std::vector<double> points_ws;  // three a pixel; 0 where nothing is seen
+    std::vector<float> bias;  // the automatic bias, world units; negative where no shadow falls
+};
+
 class Renderer {
    public:
     // Without a context, a headless one is made. One light at most is rendered by this version.
@@ -75,6 +83,9 @@ class Renderer {
     std::vector<float> transmittance(const Positions& world_points, int light = 0);
     // At a shape's own points; the automatic bias is then that of its own strands.
     std::vector<float> transmittance(const Shape& shape, int light = 0);
+
+    // Of the picture that render() makes with antialiasing 1.
+    PictureReceivers receivers();
 
     // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along
     // the light.

@@ -15,6 +15,7 @@ void bind_errors(py::module_& module);
 void bind_params(py::module_& module);
 void bind_shapes(py::module_& module);
 void bind_scene(py::module_& module);
+void bind_trace(py::module_& module);
 void bind_technique(py::module_& module);
 void bind_context(py::module_& module);
 void bind_renderer(py::module_& module);

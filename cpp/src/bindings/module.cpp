@@ -10,6 +10,7 @@ PYBIND11_MODULE(_native, module) {
     bind_params(module);
     bind_shapes(module);
     bind_scene(module);
+    bind_trace(module);
     bind_technique(module);
     bind_context(module);
     bind_renderer(module);

@@ -57,6 +57,19 @@ py::array transmittance_of(Renderer& self, const Shape& shape, int light) {
     return ask(self, shape, light);
 }
 
+// (points (H, W, 3), bias (H, W)).
+py::tuple receivers(Renderer& self) {
+    PictureReceivers seen;
+    {
+        const py::gil_scoped_release release;
+        seen = self.receivers();
+    }
+    check_signals();
+    return py::make_tuple(
+        take<double, double>(std::move(seen.points_ws), {seen.height, seen.width, 3}),
+        take<float, float>(std::move(seen.bias), {seen.height, seen.width}));
+}
+
 // The rows, and the table for people that the engine makes of them.
 py::tuple report(const Renderer& self) {
     py::list rows;
@@ -90,6 +103,7 @@ void bind_renderer(py::module_& module) {
         .def("render", &render, py::arg("out").noconvert())
         .def("transmittance", &transmittance)
         .def("transmittance_of", &transmittance_of)
+        .def("receivers", &receivers)
         .def("light_from_world",
              [](const Renderer& self) { return from_matrix(self.light_from_world()); })
         .def("report", &report)

@@ -3,9 +3,12 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "bindings/arrays.hpp"
 #include "bindings/bindings.hpp"
 #include "opacity/scene/camera.hpp"
+#include "scene/bias.hpp"
 
 namespace opacity::bindings {
 namespace {
@@ -49,6 +52,12 @@ void bind_scene(py::module_& module) {
         .def("add", py::overload_cast<LightPtr>(&Scene::add))
         .def("remove", py::overload_cast<const ShapePtr&>(&Scene::remove))
         .def("remove", py::overload_cast<const LightPtr&>(&Scene::remove))
+        .def("automatic_bias",
+             [](const Scene& self, const Shape& receiver) {
+                 const py::gil_scoped_release release;  // before the shape's lock: see shapes.cpp
+                 const double width = (receiver.lock(), receiver.strand_width());
+                 return std::max(width, least_bias(self));
+             })
         .def("bounds", [](const Scene& self) {
             const Box box = self.bounds();
             return py::make_tuple(box.min, box.max);

@@ -2,33 +2,86 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace opacity {
+namespace {
 
-void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr failure;
-    std::mutex failure_mutex;
-    const auto run = [&] {
+using Work = std::function<void(std::size_t, std::stop_token)>;
+
+// Shared by the threads of one call.
+class Crew {
+   public:
+    Crew(std::size_t count, const Work& work) : count_{count}, work_{work} {}
+
+    void help() {
         try {
-            for (std::size_t i = next++; i < count; i = next++) work(i);
+            for (std::size_t i = 0; !stop_.stop_requested() && (i = next_++) < count_;) {
+                work_(i, stop_.get_token());
+                ++done_;
+            }
         } catch (...) {
-            next = count;
-            const std::lock_guard lock{failure_mutex};
-            if (!failure) failure = std::current_exception();
+            stop_.request_stop();
+            const std::lock_guard lock{mutex_};
+            if (!thrown_) thrown_ = std::current_exception();
         }
-    };
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 1; i < std::min(cores, count); ++i) threads.emplace_back(run);
-        run();
+        const std::lock_guard lock{mutex_};
+        --helpers_;
+        changed_.notify_one();
     }
-    if (failure) std::rethrow_exception(failure);
+    // Without any thread to be had, the calling one does it all.
+    void hire(std::size_t helpers) {
+        for (std::size_t i = 0; i < helpers; ++i) {
+            ++helpers_;
+            try {
+                threads_.emplace_back([this] { help(); });
+            } catch (const std::system_error&) {
+                --helpers_;
+                break;
+            }
+        }
+        if (threads_.empty()) {
+            ++helpers_;
+            help();
+        }
+    }
+    void watch(const std::function<void(double)>& tell) {
+        std::unique_lock lock{mutex_};
+        const auto idle = [this] { return helpers_ == 0; };
+        while (!changed_.wait_for(lock, std::chrono::milliseconds{50}, idle)) {
+            lock.unlock();
+            tell(double(done_) / double(count_));
+            lock.lock();
+        }
+        if (thrown_) std::rethrow_exception(thrown_);
+    }
+    ~Crew() { stop_.request_stop(); }  // and the threads are joined
+
+   private:
+    const std::size_t count_;
+    const Work& work_;
+    std::stop_source stop_;
+    std::atomic<std::size_t> next_{0}, done_{0}, helpers_{0};
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::exception_ptr thrown_;
+    std::vector<std::jthread> threads_;  // last: joined before the rest goes
+};
+
+}  // namespace
+
+void in_parallel(std::size_t count, int threads, const Work& work,
+                 const std::function<void(double)>& watch) {
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    Crew crew{count, work};
+    crew.hire(std::min(count, threads > 0 ? std::size_t(threads) : cores));
+    crew.watch(watch);
 }
 
 }  // namespace opacity

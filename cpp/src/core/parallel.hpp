@@ -3,12 +3,22 @@
 
 #include <cstddef>
 #include <functional>
+#include <stop_token>
 
 namespace opacity {
 
-// Calls work(0) .. work(count - 1), each once, on as many threads as there are cores; returns when
-// all have ended. What one throws first is thrown again here, and what has not begun by then does
-// not begin. Parts that write to places of their own give the same result on any number of threads.
-void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work);
+// Does work(0) .. work(count - 1), each once, on up to `threads` threads (0: one a core). The
+// calling thread meanwhile calls watch(fraction done) some twenty times a second. What either
+// throws stops the work, and is thrown here once no thread is left.
+void in_parallel(std::size_t count, int threads,
+                 const std::function<void(std::size_t, std::stop_token)>& work,
+                 const std::function<void(double)>& watch);
+
+// Unwatched, on all cores. Parts that write to places of their own give the same result on any
+// number of threads.
+inline void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work) {
+    in_parallel(
+        count, 0, [&](std::size_t i, std::stop_token) { work(i); }, [](double) {});
+}
 
 }  // namespace opacity

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "opacity/core/error.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/strands.hpp"
 #include "scene/bias.hpp"
+#include "scene/receivers.hpp"
 
 namespace opacity {
 namespace {
@@ -75,23 +74,23 @@ void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, co
 }  // namespace
 
 Query Query::at(Positions world_points, const Scene& scene) {
-    const std::size_t bad = world_points.first_bad();
-    if (bad < world_points.size())
-        throw ParameterError("points[" + std::to_string(bad) + "] is not finite, or larger than 1e18",
-                             "remove or repair the point");
+    check_receivers(world_points);
     return {std::move(world_points), mean_strand_width(scene), nullptr};
 }
 
 Query Query::at(const Shape& shape, const Scene& scene) {
+    Receivers on_shape = receivers_on(shape);
     const auto lock = shape.lock();
     const auto& shapes = scene.shapes();
     const bool is_in_maps =
         shape.is_caster() && !shape.opaque() &&
         std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return s.get() == &shape; });
-    return {shape.world_points(), shape.strand_width(), is_in_maps ? &shape : nullptr};
+    return {std::move(on_shape.world_points), on_shape.strand_width,
+            is_in_maps ? &shape : nullptr};
 }
 
-std::vector<Receiver> receivers(const Query& query, const LightSpace& space, bool own_correction) {
+std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
+                                   bool own_correction) {
     std::vector<Receiver> list(query.world_points.size());
     std::vector<double3> p_ls(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -33,6 +33,7 @@ struct Query {
 inline constexpr float endless_texels = 64.f;
 
 // `own_correction`: with what the receivers themselves leave in the map.
-std::vector<Receiver> receivers(const Query& query, const LightSpace& space, bool own_correction);
+std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
+                                   bool own_correction);
 
 }  // namespace opacity

@@ -5,13 +5,9 @@
 #include <numbers>
 
 #include "map/fragments.hpp"
-#include "map/lookup.hpp"
 
 namespace opacity::render {
 namespace {
-
-// Questions are asked in parts: a storage buffer may end at 128 MiB.
-constexpr std::size_t most_receivers = std::size_t{1} << 21;
 
 // Reversed and without a far plane: depth is near / distance, which float32 resolves over any
 // range. Rows go down, so that the first row read back is the top of the picture.
@@ -29,15 +25,6 @@ std::vector<float> clip_from_view(const Camera& camera, double aspect, double ne
 // behind it.
 double near_distance(const Scene& scene) {
     return 1e-6 * std::max(scene.bounds().radius(), 1e-20);
-}
-
-// What the look-up's defines and uniforms say, for its form in C++.
-Filter filter_of(const Technique& technique, const LightSpace& space) {
-    const double width = technique.filter_width.is_auto()
-                             ? 2.0 * technique.filter_radius.get()
-                             : technique.filter_width.get() * space.texels_per_unit;
-    return {filter_kernel(technique.filter.get()), float(0.5 * width),
-            technique.filter_domain.is("density")};
 }
 
 // The rotation of a rigid matrix, by columns.
@@ -107,10 +94,10 @@ Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
     if (!map_size_reason_.empty()) look_up.reads.push_back(&add_map_size());
     look_up.reads.push_back(&light_);  // lighting places every vertex in the light's map
     Texture& image = add_lighting(inputs, look_up);
-    return {image, add_transmittance(look_up)};
+    return {image, query_.add(graph_, look_up, *technique_, space_), add_receivers(inputs.settings)};
 }
 
-Frame::ShadowLookUp Frame::add_shadows(const FrameInputs& inputs) {
+ShadowLookUp Frame::add_shadows(const FrameInputs& inputs) {
     Texture& opaque_depth = add_opaque_depth();
     if (inputs.scene.lights().empty()) return {};
     const FrameGraph::Scope scope{graph_, technique_->name()};
@@ -175,52 +162,22 @@ Texture& Frame::add_lighting(const FrameInputs& inputs, const ShadowLookUp& look
     return image;
 }
 
-Buffer& Frame::add_transmittance(const ShadowLookUp& look_up) {
-    Buffer& receivers = graph_.buffer("receivers");
-    Buffer& result = graph_.buffer("transmittance");
-    Reads reads = look_up.reads;
-    reads.push_back(&query_);
+// Where the picture asks for T: read only on request.
+Texture& Frame::add_receivers(const RenderSettings& settings) {
+    TextureDesc picture{
+        .format = Format::rgba32f, .width = settings.width.get(), .height = settings.height.get()};
+    Texture& receivers = graph_.texture("receivers", picture);
+    picture.format = Format::depth32f;
+    Texture& depth = graph_.texture("receivers_depth", picture);
     graph_.add(
-        {.name = "transmittance",
-         .shader = {.compute = "transmittance.comp.glsl",
-                    .technique = look_up.shader,
-                    .defines = look_up.defines},
-         .reads = std::move(reads),
-         .stores = {&receivers, &result},
-         .execute =
-             [this, &receivers, &result](PassContext& context) {
-                 transmittance_.clear();
-                 for (std::size_t i = 0; i < receivers_.size(); i += most_receivers)
-                     ask(context, receivers, result, i);
-             },
-         .on_cpu = [this, look_up](PassContext& context) { look_up_all(context, look_up); }});
-    return result;
-}
-
-void Frame::look_up_all(PassContext& context, const ShadowLookUp& look_up) {
-    transmittance_.assign(receivers_.size(), 1.f);
-    if (!look_up.on_cpu) return;
-    const std::unique_ptr<TexelMap> map = look_up.on_cpu(context);
-    const MapLookUp answers{space_, *map, context.memory<float>(*look_up.opaque_depth),
-                            filter_of(*technique_, space_), technique_->bias.get()};
-    constexpr std::size_t part = 4096;
-    parallel_for((receivers_.size() + part - 1) / part, [&](std::size_t k) {
-        const std::size_t end = std::min(receivers_.size(), (k + 1) * part);
-        for (std::size_t i = k * part; i < end; ++i)
-            transmittance_[i] = answers.transmittance(receivers_[i], receiver_width_);
-    });
-}
-
-void Frame::ask(PassContext& context, Buffer& receivers, Buffer& result, std::size_t first) {
-    const std::span<const Receiver> part =
-        std::span{receivers_}.subspan(first, std::min(most_receivers, receivers_.size() - first));
-    const int count = int(part.size());
-    context.resize(receivers, part.size_bytes());
-    context.resize(result, count * sizeof(float));
-    context.write(receivers, std::as_bytes(part));
-    context.dispatch(count, {{"u_receiver_count", count}, {"u_receiver_width", receiver_width_}});
-    const std::vector<float> answers = context.read<float>(result);
-    transmittance_.insert(transmittance_.end(), answers.begin(), answers.end());
+        {.name = "receivers",
+         .shader = {.vertex = "lighting.vert.glsl", .fragment = "receivers.frag.glsl"},
+         .draws = &lists_.visible,
+         .view = &camera_,
+         .reads = {&light_, &lists_.visible.color},
+         .writes = {&receivers, &depth},
+         .state = {.depth = Depth::greater, .clear_depth = 0.f, .clear_color = {0, 0, 0, -2}}});
+    return receivers;
 }
 
 void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
@@ -229,13 +186,32 @@ void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
     device_.read(goals.image, std::as_writable_bytes(rgba));
 }
 
+PictureReceivers Frame::receivers(const FrameInputs& inputs) {
+    const Goals goals = declare(inputs, Box{});
+    graph_.run(goals.receivers);
+    PictureReceivers result{inputs.settings.width.get(), inputs.settings.height.get(), {}, {}};
+    const std::size_t count = std::size_t(result.width) * result.height;
+    std::vector<float> points_ls(4 * count);
+    device_.read(goals.receivers, std::as_writable_bytes(std::span{points_ls}));
+    const double4x4 to_world = world_from(space_);
+    result.points_ws.reserve(3 * count);
+    result.bias.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* p = &points_ls[4 * i];
+        const bool is_seen = p[3] > -1.5f;
+        const double3 point =
+            is_seen ? transform_point(to_world, {p[0], p[1], p[2]}) : double3{0.0, 0.0, 0.0};
+        result.points_ws.insert(result.points_ws.end(), point.begin(), point.end());
+        result.bias.push_back(p[3]);
+    }
+    return result;
+}
+
 std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Query& query) {
     const Goals goals = declare(inputs, query.world_points.bounds());
-    receivers_ = receivers(query, space_, own_correction_);
-    receiver_width_ = float(query.width);
-    query_.touch();
+    query_.set(receivers_in(space_, query, own_correction_), query.width);
     graph_.run(goals.transmittance);
-    return transmittance_;
+    return query_.answers();
 }
 
 }  // namespace opacity::render

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "map/light_casters.hpp"
-#include "map/receiver.hpp"
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/renderer.hpp"
 #include "render/scene_lists.hpp"
+#include "render/shadow_query.hpp"
 #include "scene/light_fit.hpp"
 #include "scene/map_size.hpp"
 
@@ -31,18 +31,14 @@ class Frame {
 
     void render(const FrameInputs& inputs, std::span<float> rgba);
     std::vector<float> transmittance(const FrameInputs& inputs, const Query& query);
+    PictureReceivers receivers(const FrameInputs& inputs);
     FrameGraph& graph() { return graph_; }
     const double4x4& light_from_world() const { return space_.from_world; }
 
    private:
-    // What the two goals of a frame are written to.
+    // What the goals of a frame are written to.
     struct Goals {
-        const Resource &image, &transmittance;
-    };
-    // How T is looked up, and the shader that defines shadow_transmittance.
-    struct ShadowLookUp : LookUp {
-        std::string shader = "techniques/unshadowed.glsl";
-        const Texture* opaque_depth = nullptr;
+        const Resource &image, &transmittance, &receivers;
     };
     Goals declare(const FrameInputs& inputs, const Box& query);
     void update_sources(const FrameInputs& inputs, const Box& query);
@@ -51,11 +47,7 @@ class Frame {
     Texture& add_opaque_depth();
     ShadowLookUp add_shadows(const FrameInputs& inputs);
     Texture& add_lighting(const FrameInputs& inputs, const ShadowLookUp& look_up);
-    // Receivers from `first` on, as many as fit one storage buffer.
-    void ask(PassContext& context, Buffer& receivers, Buffer& result, std::size_t first);
-    Buffer& add_transmittance(const ShadowLookUp& look_up);
-    // What the pass does on the CPU.
-    void look_up_all(PassContext& context, const ShadowLookUp& look_up);
+    Texture& add_receivers(const RenderSettings& settings);
 
     Device& device_;
     // The passes declared last refer to its parameters.
@@ -69,10 +61,7 @@ class Frame {
     std::string map_size_reason_;  // empty: the caller chose
     LightCasters casters_;
     bool own_correction_ = false;
-    UniformSet query_{"receivers"};
-    std::vector<Receiver> receivers_;
-    float receiver_width_ = 0.f;
-    std::vector<float> transmittance_;
+    ShadowQuery query_;
     FrameGraph graph_;  // last: it frees its resources while the rest is alive
 };
 

@@ -61,9 +61,8 @@ struct Renderer::Impl {
     }
 
     // The picture is drawn oversampled: both together must fit a texture.
-    void check_size() const {
+    void check_size(int samples) const {
         const int largest = std::max(settings.width.get(), settings.height.get());
-        const int samples = settings.antialiasing.get();
         if (largest * std::int64_t{samples} <= most_texels) return;
         throw ParameterError(
             "a picture of " + std::to_string(largest) + " pixels along a side at antialiasing " +
@@ -165,7 +164,7 @@ void Renderer::render(std::span<float> rgba) {
                              "pass 4 * width * height floats");
     const gl::Context::Use use{impl_->require_context()};
     impl_->check_light(0);
-    impl_->check_size();
+    impl_->check_size(impl_->settings.antialiasing.get());
     impl_->frame->render(impl_->inputs(), rgba);
 }
 
@@ -177,6 +176,13 @@ std::vector<float> Renderer::transmittance(const Positions& world_points, int li
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
     impl_->check_light(light);
     return impl_->transmittance(Query::at(shape, *impl_->scene));
+}
+
+PictureReceivers Renderer::receivers() {
+    const gl::Context::Use use{impl_->require_context()};
+    impl_->check_light(0);
+    impl_->check_size(1);
+    return impl_->frame->receivers(impl_->inputs());
 }
 
 double4x4 Renderer::light_from_world() const {

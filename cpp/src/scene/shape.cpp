@@ -89,16 +89,6 @@ void Shape::check_attribute_size(const char* name, std::size_t size) const {
                          "pass one for all, or one a point");
 }
 
-Positions Shape::world_points() const {
-    std::vector<double> xyz;
-    xyz.reserve(3 * points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const double3 p = transform_point(transform_, points_[i]);
-        xyz.insert(xyz.end(), p.begin(), p.end());
-    }
-    return Positions{std::move(xyz)};
-}
-
 void Shape::set_points(Positions points) {
     check_points(points);
     const auto held = lock();

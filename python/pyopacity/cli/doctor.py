@@ -34,6 +34,7 @@ def run(arguments: argparse.Namespace) -> int:
         "numpy": np.__version__,
         "system": platform.platform(),
         "variables": {name: os.environ[name] for name in _VARIABLES if name in os.environ},
+        "tracers": po.trace_backends(),
         "opengl": None,
     }
     failure: po.ContextError | None = None
@@ -63,6 +64,7 @@ def _opengl(context: _native.Context) -> dict[str, Any]:
 def _print(document: dict[str, Any]) -> None:
     for name in ("pyopacity", "python", "numpy", "system"):
         print(f"{name:10} {document[name]}")
+    print(f"tracers    {', '.join(document['tracers'])}")
     for name, setting in document["variables"].items():
         print(f"{name}={setting}")
     opengl = document["opengl"]

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 import pyopacity as po
-from pyopacity.cli import doctor, info, render, techniques
+from pyopacity.cli import compare, doctor, info, render, techniques
 from pyopacity.cli.text import clear_progress
 
 INTERRUPTED = 130
@@ -64,7 +64,7 @@ def _parser() -> Parser:
         "--cmake-dir", action=PrintCmakeDir, help="print the folder for cmake -Dopacity_DIR="
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in (render, techniques, info, doctor):
+    for command in (render, compare, techniques, info, doctor):
         command.add_to(commands)
     return parser
 

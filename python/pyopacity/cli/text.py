@@ -56,6 +56,16 @@ def size(option: str, text: str) -> tuple[int, int]:
     return int(width), int(height)
 
 
+def whole(option: str, text: str, low: int, high: int) -> int:
+    """A whole number of a range."""
+    number = int(text) if text.isdecimal() and len(text) < 20 else None
+    if number is None or not low <= number <= high:
+        raise ParameterError(
+            f'{option} "{text}" is not a whole number in {low}..{high}', "choose one"
+        )
+    return number
+
+
 def value(text: str) -> bool | int | float | str:
     """What a parameter's value most plainly says: true, 8, .5, a word."""
     if text.lower() in ("true", "false"):

@@ -15,4 +15,6 @@ struct LightSpace {
     bool operator==(const LightSpace&) const = default;
 };
 
+double4x4 world_from(const LightSpace& space);
+
 }  // namespace opacity

@@ -29,8 +29,6 @@ class Shape {
 
     const Positions& points() const { return points_; }
     void set_points(Positions points);  // the number of points stays
-    // Moved by the transform, in float64.
-    Positions world_points() const;
 
     // One value for all, or one a point. Opacity in [0, 1], colour linear RGB in [0, 1e9].
     const std::vector<float>& opacity() const { return opacity_; }

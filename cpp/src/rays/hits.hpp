@@ -1,0 +1,40 @@
+// What one ray crosses, gathered from a backend in any order and summed in one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rays/casters.hpp"
+#include "rays/ray.hpp"
+
+namespace opacity::rays {
+
+// Used again for ray after ray, so that it allocates once.
+class Hits {
+   public:
+    explicit Hits(const Casters& casters) : casters_{casters} {}
+
+    // Crossings that are not farther than `bias` from the origin do not count.
+    void start(const Ray& ray, double bias);
+    // For each primitive whose box the ray meets, at least once. False: nothing more can change T.
+    bool visit(std::uint32_t primitive);
+    // T: exp(-sum of optical depth), in the order of the primitives.
+    double transmittance();
+
+    const Ray& ray() const { return ray_; }
+
+   private:
+    struct Hit {
+        std::uint32_t primitive;
+        double opacity;  // of a triangle
+    };
+    double optical_depth_of_strands(std::size_t& next) const;
+
+    const Casters& casters_;
+    Ray ray_{};
+    double bias_ = 0.0;
+    bool blocked_ = false;
+    std::vector<Hit> hits_;
+};
+
+}  // namespace opacity::rays

@@ -1,0 +1,43 @@
+// Asks the maps for T at receivers: the pass "transmittance", with its shader or in C++.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "map/receiver.hpp"
+#include "opacity/technique.hpp"
+
+namespace opacity::render {
+
+// How T is looked up, and the shader that defines shadow_transmittance.
+struct ShadowLookUp : LookUp {
+    std::string shader = "techniques/unshadowed.glsl";
+    const Texture* opaque_depth = nullptr;
+};
+
+class ShadowQuery {
+   public:
+    // `technique` and `space` are those of the look-up, and outlive the frame.
+    const Resource& add(FrameGraph& graph, const ShadowLookUp& look_up, const Technique& technique,
+                        const LightSpace& space);
+    // What the next run of the pass answers; `width` as in Query.
+    void set(std::vector<Receiver> receivers, double width);
+    const std::vector<float>& answers() const { return transmittance_; }
+
+   private:
+    struct Buffers {
+        Buffer &query, &transmittance;
+    };
+    void ask_all(PassContext& context, const Buffers& buffers);
+    // Receivers from `first` on, as many as fit one storage buffer.
+    void ask(PassContext& context, const Buffers& buffers, std::size_t first);
+    void look_up_all(PassContext& context, const ShadowLookUp& look_up, const Technique& technique,
+                     const LightSpace& space);
+
+    UniformSet asked_{"query_points"};
+    std::vector<Receiver> receivers_;
+    float receiver_width_ = 0.f;
+    std::vector<float> transmittance_;
+};
+
+}  // namespace opacity::render

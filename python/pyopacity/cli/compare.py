@@ -1,0 +1,156 @@
+"""``pyopacity compare FILE... -o DIR``"""
+
+import argparse
+import pathlib
+import shlex
+from typing import Any
+
+import pyopacity as po
+from pyopacity import _native
+from pyopacity.cli import scene_options, text
+from pyopacity.comparison import Plan, Variant, compare
+from pyopacity.comparison.results import Results
+
+# Of the renderer's settings, what the comparison itself decides.
+_WITHOUT = ("map_size", "antialiasing")
+
+
+def add_to(commands: Any) -> None:
+    """The command's options."""
+    summary = "measure the errors of every technique on files"
+    add = text.add_command(commands, "compare", run, summary).add_argument
+    scene_options.add_files(add)
+    add("-o", "--output", required=True, metavar="DIR", help="index.html, results.csv, pictures")
+    _add_techniques(add)
+    _add_measures(add)
+    scene_options.add_light_and_view(add)
+    scene_options.add_strands(add)
+    scene_options.add_settings(add, _WITHOUT)
+
+
+def _add_techniques(add: Any) -> None:
+    add(
+        "--technique",
+        action="append",
+        default=[],
+        metavar="NAME",
+        help="a shadow method; again for more (default: all)",
+    )
+    scene_options.add_parameters(add)
+    add(
+        "--layers",
+        default="16",
+        metavar="N,...",
+        help="of techniques with layers, a row for each (default: 16)",
+    )
+    add(
+        "--map-size",
+        default="512",
+        metavar="N,...",
+        help="texels along each side of the light's maps, a row for each (default: 512)",
+    )
+
+
+def _add_measures(add: Any) -> None:
+    add("--receivers", default="20000", metavar="N", help="vertices compared (default: 20000)")
+    add("--seed", default="0", metavar="N", help="of their random choice (default: 0)")
+    add("--samples", default="64", metavar="N", help="rays over each footprint (default: 64)")
+    add(
+        "--footprint",
+        metavar="N",
+        help="side of the square over which T by rays is averaged, in world units, the same for "
+        "all maps (default: two texels of each map)",
+    )
+    add("--image-size", default="256x192", metavar="WxH", help="of pictures (default: 256x192)")
+    add("--image-samples", default="4", metavar="N", help="n x n a pixel, 1..8 (default: 4)")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Everything that can be wrong is looked at before the first file is read."""
+    folder = _folder(arguments.output)
+    plan = _plan(arguments)
+    rows = len(plan.variants()) * len(plan.map_sizes)
+    view = scene_options.View(arguments)
+    light = scene_options.light(arguments)
+
+    scene = scene_options.load(arguments)
+    scene.add(light)
+    results = Results(folder, plan, " + ".join(arguments.files), _command(arguments))
+
+    def tell(what: str) -> None:
+        text.progress(f"row {len(results.rows) + 1} of {rows}: {what}")
+
+    for result in compare(scene, view.of(scene), plan, tell):
+        results.add(result)
+        if not arguments.json:
+            text.clear_progress()
+            print(_line(result.variant, results.rows[-1]), flush=True)
+    text.clear_progress()
+    if arguments.json:
+        text.print_json(results.rows)
+    else:
+        print(folder / "index.html")
+    return 0
+
+
+def _plan(arguments: argparse.Namespace) -> Plan:
+    settings = _native.RenderSettings()
+    map_sizes = _list("--map-size", arguments.map_size)
+    for map_size in map_sizes:
+        settings.set("map_size", map_size)
+    image_samples = text.whole("--image-samples", arguments.image_samples, 1, 8)
+    footprint = arguments.footprint
+    if footprint is not None:
+        footprint = text.numbers("--footprint", footprint, (1,), "one number")[0]
+        if not 0.0 <= footprint < 1e18:
+            raise po.ParameterError(f"--footprint {footprint} is outside 0..1e18", "choose another")
+    return Plan(
+        techniques=tuple(arguments.technique),
+        layers=_list("--layers", arguments.layers),
+        parameters=text.assignments("--param", arguments.param),
+        map_sizes=map_sizes,
+        receivers=text.whole("--receivers", arguments.receivers, 1, 10**8),
+        seed=text.whole("--seed", arguments.seed, 0, 2**63),
+        samples=text.whole("--samples", arguments.samples, 1, 65536),
+        footprint=footprint,
+        image_size=scene_options.size("--image-size", arguments.image_size),
+        image_samples=image_samples,
+        settings=scene_options.settings(arguments, _WITHOUT),
+    )
+
+
+def _list(option: str, given: str) -> tuple[int, ...]:
+    return tuple(text.whole(option, part, 1, 2**31 - 1) for part in given.split(","))
+
+
+def _folder(given: str) -> pathlib.Path:
+    """Where results may go, as far as that shows before there are any."""
+    folder = pathlib.Path(given)
+    if folder.exists() and not folder.is_dir():
+        raise po.ParameterError(f"{folder} is a file", "name a folder for the results")
+    if not folder.absolute().parent.is_dir():
+        raise po.ParameterError(
+            f"{folder} cannot be made: there is no folder {folder.parent}",
+            "make the folder first, or choose another",
+        )
+    return folder
+
+
+def _command(arguments: argparse.Namespace) -> str:
+    """The command line that measures this again, without what leaves the figures as they are."""
+    words = ["pyopacity", "compare", *arguments.files]
+    for name, value in sorted(vars(arguments).items()):
+        if name in ("files", "output", "json", "run") or value in (None, []):
+            continue
+        for each in value if isinstance(value, list) else [value]:
+            words.append(f"--{name.replace('_', '-')}={each}")
+    return shlex.join(words)
+
+
+def _line(variant: Variant, row: dict[str, Any]) -> str:
+    flip = "" if row["flip"] is None else f"  FLIP {row['flip']:.4f}"
+    return (
+        f"{variant.label}, map {row['map_size']}: RMSE depth {row['depth_rmse']:.4f}  "
+        f"total {row['total_rmse']:.4f}  image {row['image_rmse']:.4f}{flip}  "
+        f"{row['seconds']:.3f} s"
+    )

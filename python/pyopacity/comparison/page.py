@@ -1,0 +1,159 @@
+"""The page of a comparison: the table, error over time, pictures beside the traced one."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Sequence
+from typing import Any
+
+from pyopacity.comparison import plot
+
+Row = dict[str, Any]
+
+_KINDS = {"depth": "depth error", "total": "total error", "image": "image error"}
+_FIGURES = {"rmse": "RMSE", "mae": "mean", "bias": "bias", "p99": "99 %", "maximum": "max"}
+
+_STYLE = """
+:root { color-scheme: light dark; font: 15px/1.5 system-ui, sans-serif; }
+body { margin: 2rem auto; max-width: 76rem; padding: 0 1rem; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .85rem; }
+th, td { padding: .2rem .5rem; text-align: right; }
+thead tr:first-child th, th:nth-child(2), td:nth-child(2) { text-align: left; }
+thead th { border-bottom: 1px solid #8886; }
+tbody tr:hover { background: #8882; }
+.first { border-left: 1px solid #8886; }
+.scroll { overflow-x: auto; }
+.row { display: flex; flex-wrap: wrap; gap: 1rem; }
+svg { flex: 1 1 20rem; max-width: 30rem; }
+svg text { font-size: 11px; fill: currentColor; }
+svg .title { font-size: 13px; text-anchor: middle; }
+svg .grid { stroke: #8884; }
+figure { margin: 0; }
+img { display: block; background: #000; max-width: 100%; }
+code { overflow-wrap: anywhere; }
+.dot { display: inline-block; width: .7em; height: .7em; border-radius: 50%; }
+"""
+
+_MEANING = """
+<p>All errors are of T, the part of the light that arrives, in 0 .. 1; of pictures, linear colour.
+<b>Depth error</b>: against every fragment of the same map, sorted; what layers cost.
+<b>Total error</b>: against rays through the real geometry, averaged over the footprint.
+<b>Image error</b>: of the picture, against the same picture shaded with T by rays; FLIP is what a
+person sees. Mean is of |difference|; bias below 0 is too dark; 99 % is the percentile.</p>
+"""
+
+
+def html_of(rows: Sequence[Row]) -> str:
+    """The whole page, for rows as results.json holds them."""
+    first = rows[0]
+    title = html.escape(f"{first['scene']}: errors")
+    body = [
+        f"<h1>{html.escape(first['scene'])}</h1>",
+        f"<p>{_facts(first)}</p>",
+        _MEANING,
+        f'<div class="scroll">{_table(rows)}</div>',
+        "<h2>Error over time</h2>",
+        "<p>RMSE over the seconds of a whole frame from nothing; numbers as in the table.</p>",
+        f'<div class="row">{_plots(rows)}</div>',
+        "<h2>Pictures</h2>",
+        "<p>Error maps: red is too light, blue too dark, by .1 or more.</p>",
+        *(_pictures(number, row) for number, row in enumerate(rows, 1)),
+        f"<p><code>{html.escape(first['command'])}</code></p>",
+    ]
+    return (
+        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
+        f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head>\n'
+        + "\n".join(["<body>", *body, "</body></html>", ""])
+    )
+
+
+def _facts(row: Row) -> str:
+    facts = [
+        f"{row['receivers']:,} receivers (seed {row['seed']})",
+        f"{row['samples']} rays a footprint",
+        f"pictures {row['image_size']}, {row['image_samples']} x {row['image_samples']} samples "
+        "a pixel with a ray each",
+        f"pyopacity {row['version']} on {row['renderer']}",
+    ]
+    return html.escape("; ".join(facts)) + "."
+
+
+def _label(row: Row) -> str:
+    parameters = [f"{name} {value}" for name, value in row["parameters"].items()]
+    return ", ".join([row["technique"], *parameters])
+
+
+def _colors(rows: Sequence[Row]) -> dict[str, str]:
+    names = dict.fromkeys(row["technique"] for row in rows)
+    return {name: plot.color_of(index) for index, name in enumerate(names)}
+
+
+def _table(rows: Sequence[Row]) -> str:
+    colors = _colors(rows)
+    groups = "".join(f'<th colspan="5" class="first">{kind}</th>' for kind in _KINDS.values())
+    names = ""
+    for _ in _KINDS:
+        first, *others = _FIGURES.values()
+        names += f'<th class="first">{first}</th>' + "".join(f"<th>{name}</th>" for name in others)
+    head = (
+        f'<thead><tr><th colspan="4"></th>{groups}<th></th><th colspan="2" class="first">seconds'
+        "</th></tr><tr><th>#</th><th>technique</th><th>map</th><th>footprint</th>"
+        f'{names}<th>FLIP</th><th class="first">frame</th><th>maps</th></tr></thead>'
+    )
+    lines = [
+        f"<tr>{''.join(_cells(number, row, colors[row['technique']]))}</tr>"
+        for number, row in enumerate(rows, 1)
+    ]
+    return f"<table>{head}<tbody>{''.join(lines)}</tbody></table>"
+
+
+def _cells(number: int, row: Row, color: str) -> list[str]:
+    label = html.escape(_label(row))
+    cells = [
+        f"<td>{number}</td>",
+        f'<td><span class="dot" style="background:{color}"></span> {label}</td>',
+        f"<td>{row['map_size']}</td>",
+        f"<td>{row['footprint']:.4g}</td>",
+    ]
+    for kind in _KINDS:
+        for name in _FIGURES:
+            value = row[f"{kind}_{name}"]
+            text = f"{value:+.4f}" if name == "bias" else f"{value:.4f}"
+            mark = ' class="first"' if name == "rmse" else ""
+            cells.append(f"<td{mark}>{text}</td>")
+    flip = "-" if row["flip"] is None else f"{row['flip']:.4f}"
+    cells.append(f"<td>{flip}</td>")
+    cells.append(f'<td class="first">{row["seconds"]:.3f}</td><td>{row["map_seconds"]:.3f}</td>')
+    return cells
+
+
+def _plots(rows: Sequence[Row]) -> str:
+    colors = _colors(rows)
+    plots = []
+    for kind, title in _KINDS.items():
+        points = [
+            plot.Point(
+                number,
+                f"{_label(row)}, map {row['map_size']}",
+                colors[row["technique"]],
+                row["seconds"],
+                row[f"{kind}_rmse"],
+            )
+            for number, row in enumerate(rows, 1)
+        ]
+        plots.append(plot.error_over_time(title, points))
+    return "".join(plots)
+
+
+def _pictures(number: int, row: Row) -> str:
+    heading = html.escape(f"{number}. {_label(row)}, map {row['map_size']}")
+    figures = "".join(
+        f'<figure><img src="{html.escape(row[name])}" alt="{caption}" loading="lazy">'
+        f"<figcaption>{caption}</figcaption></figure>"
+        for name, caption in (
+            ("traced", "by rays"),
+            ("picture", "the technique"),
+            ("error_map", "error"),
+        )
+    )
+    return f'<h3>{heading}</h3>\n<div class="row">{figures}</div>'
