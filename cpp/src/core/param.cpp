@@ -139,6 +139,24 @@ void Choice::assign(const ParamValue& value) {
     touch();
 }
 
+std::string IntChoice::range() const {
+    std::string list;
+    for (int choice : choices_) list += (list.empty() ? "" : ", ") + std::to_string(choice);
+    return list;
+}
+
+void IntChoice::assign(const ParamValue& value) {
+    double number = 0.0;
+    if (!as_double(value, number)) reject_type(value);
+    const auto found = std::find_if(choices_.begin(), choices_.end(),
+                                    [&](int choice) { return double(choice) == number; });
+    if (found == choices_.end()) reject(value, "not one of " + range());
+    const auto index = std::size_t(found - choices_.begin());
+    if (index == index_) return;
+    index_ = index;
+    touch();
+}
+
 std::string AutoParam::number_range() const {
     return number_text(range_.min) + ".." + number_text(range_.max);
 }

@@ -1,0 +1,142 @@
+#include "techniques/split_search.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "opacity/core/split.hpp"
+
+namespace opacity::techniques {
+namespace {
+
+constexpr int planes_per_target = 4;
+constexpr int block_size_px = 4;
+
+// Texels that a search looks at: those of a map of this size, spread over the whole, and of those
+// so many with casters, with the empty ones between them.
+constexpr int sampled_size_px = 128;
+constexpr std::size_t sampled_texels = 4096;
+
+// Channel c of layer t is plane 4 t + c + 1; the read-back holds one image a layer.
+struct ReadBack {
+    std::vector<float> targets;
+    int map_size_px, layers;
+
+    ReadBack(PassContext& context, const DrawnLayers& drawn)
+        : targets{context.read<float>(drawn.map)},
+          map_size_px{drawn.map.desc().width},
+          layers{int(drawn.planes.get().size()) - 1} {}
+
+    float plane(std::size_t texel, int k) const {
+        const std::size_t texels = std::size_t(map_size_px) * map_size_px;
+        return targets[(std::size_t(k / planes_per_target) * texels + texel) * planes_per_target +
+                       k % planes_per_target];
+    }
+};
+
+// Values of OpticalDepthProfiles: of the same texels for whatever layers of the same casters.
+std::vector<float> sample_profiles(const ReadBack& drawn) {
+    std::vector<std::size_t> texels;
+    std::size_t covered = 0;
+    const auto is_sampled = [stride = block_stride(drawn.map_size_px)](int i) {
+        return i / block_size_px % stride == 0;
+    };
+    for (int y = 0; y < drawn.map_size_px; ++y)
+        for (int x = 0; x < drawn.map_size_px; ++x) {
+            if (!is_sampled(x) || !is_sampled(y)) continue;
+            texels.push_back(std::size_t(y) * drawn.map_size_px + x);
+            covered += drawn.plane(texels.back(), drawn.layers - 1) > 0.f;
+        }
+    const std::size_t stride = std::max<std::size_t>(1, covered / sampled_texels);
+    std::vector<float> profiles;
+    for (std::size_t i = 0; i < texels.size(); i += stride)
+        for (int k = 0; k < drawn.layers; ++k) profiles.push_back(drawn.plane(texels[i], k));
+    return profiles;
+}
+
+std::string ratio_text(const char* before, std::size_t trial) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %.1f", before, trial_ratio(trial));
+    return text;
+}
+
+// "trial 4 of 11: ratio 0.3", and what was found once the last has its score.
+std::string progress(std::span<const double> scores, bool is_trial) {
+    const std::string trial = "trial " + std::to_string(scores.size()) + " of " +
+                              std::to_string(split_trials) + ": " +
+                              ratio_text("ratio", scores.size() - 1);
+    if (scores.size() < split_trials) return trial;
+    const std::string found = ratio_text("split ratio", best_trial(scores));
+    return is_trial ? trial + "; " + found : found;
+}
+
+}  // namespace
+
+int fine_layer_count(int map_size_px) {
+    return map_size_px <= 1024 ? 64 : map_size_px <= 2048 ? 32 : 16;
+}
+
+int block_stride(int map_size_px) {
+    return std::max(1, map_size_px / sampled_size_px);
+}
+
+void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
+                              const DrawnLayers& histogram,
+                              Value<std::vector<float>>& planes) const {
+    graph.add({.name = "split_search",
+               .only_with = &inputs.translucent,
+               .reads = {&histogram.map, &histogram.planes, &layers, &similarity, &request},
+               .values = {&planes},
+               .execute = [search = *this, histogram, &planes](PassContext& context) {
+                   const std::vector<float> fine = sample_profiles({context, histogram});
+                   const int count = search.layers.get();
+                   const std::size_t trial = find_split_trial({histogram.planes.get(), fine}, count,
+                                                              search.measure());
+                   context.set(planes, layer_planes(count, trial_ratio(trial)));
+                   context.note(ratio_text("split ratio", trial));
+               }});
+}
+
+SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInputs& inputs,
+                                             Value<std::vector<float>>& planes) const {
+    const Trials trials{graph.value("scores", std::vector<double>{}),
+                        graph.value("searched", std::vector<Revision>{})};
+    // The opaque casters of this frame are drawn later: that they moved shows in the next one.
+    const Revision before = trials.searched.revision();
+    trials.searched.set({inputs.light.revision(), inputs.translucent.geometry.revision(),
+                         inputs.translucent.opacity.revision(), inputs.opaque_depth.revision(),
+                         layers.revision(), similarity.revision(), request.revision()});
+    if (trials.searched.revision() != before) trials.scores.set({});
+    const std::vector<double>& scores = trials.scores.get();
+    const std::size_t trial = scores.size() < split_trials ? scores.size() : best_trial(scores);
+    planes.set(layer_planes(layers.get(), trial_ratio(trial)));
+    return trials;
+}
+
+const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inputs,
+                                     const Trials& trials, const DrawnLayers& drawn,
+                                     const DrawnLayers& fine) const {
+    const bool has_fine = &fine.map != &drawn.map;
+    Reads reads{&drawn.map, &drawn.planes, &trials.searched, &inputs.light,
+                &inputs.translucent.opacity, &layers, &similarity, &request};
+    if (has_fine) reads.insert(reads.end(), {&fine.map, &fine.planes});
+    graph.add({.name = "split_search",
+               .only_with = &inputs.translucent,
+               .reads = std::move(reads),
+               .values = {&trials.scores},
+               .execute = [search = *this, trials, drawn, fine, has_fine](PassContext& context) {
+                   std::vector<double> scores = trials.scores.get();
+                   const bool is_trial = scores.size() < split_trials;
+                   if (is_trial) {
+                       const std::vector<float> layers = sample_profiles({context, drawn});
+                       const std::vector<float> exact =
+                           has_fine ? sample_profiles({context, fine}) : layers;
+                       scores.push_back(split_score(search.measure(), {drawn.planes.get(), layers},
+                                                    {fine.planes.get(), exact}));
+                       context.set(trials.scores, scores);
+                   }
+                   context.note(progress(scores, is_trial));
+               }});
+    return trials.scores;
+}
+
+}  // namespace opacity::techniques

@@ -1,0 +1,53 @@
+// The passes that find the split ratio of a technique with layers (thesis, algorithm 5.2.3.1):
+// eleven trials in one frame, rebinned from one fine histogram, or one a frame, as in the thesis.
+// What a search has found so far is a value of the graph.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "opacity/core/split_search.hpp"
+#include "opacity/technique.hpp"
+
+namespace opacity::techniques {
+
+// The histogram has so many cells, laid at ratio .5: fine near the light, where a logarithmic split
+// puts its planes, and fine enough behind. Larger maps have texels enough to take fewer cells.
+constexpr double fine_ratio = 0.5;
+int fine_layer_count(int map_size_px);
+
+// It holds one block of 4 x 4 texels in so many, both ways.
+int block_stride(int map_size_px);
+
+// Layers in an array texture, and the planes that they lie at.
+struct DrawnLayers {
+    Texture& map;
+    Value<std::vector<float>>& planes;
+};
+
+// What a search is told: how many layers, by which measure, and when to search again.
+struct SplitSearch {
+    const Param<int>& layers;
+    const Choice& similarity;  // in the order of Similarity
+    const Source& request;
+
+    SplitMeasure measure() const { return {.similarity = Similarity(similarity.index())}; }
+
+    // One frame: sets `planes` to those of the best ratio.
+    void add_at_once(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& histogram,
+                     Value<std::vector<float>>& planes) const;
+
+    // Eleven frames: the first call lays the planes of this frame's trial, or after the last trial
+    // those of the best; the second scores the layers that were drawn at them, for `error`
+    // against the fine ones. The look-up reads what it returns, so that a frame needs its trial.
+    struct Trials {
+        Value<std::vector<double>>& scores;     // of the trials so far
+        Value<std::vector<Revision>>& searched;  // what they were made for
+    };
+    Trials begin_trial(FrameGraph& graph, const ShadowInputs& inputs,
+                       Value<std::vector<float>>& planes) const;
+    const Source& add_trial(FrameGraph& graph, const ShadowInputs& inputs, const Trials& trials,
+                            const DrawnLayers& drawn, const DrawnLayers& fine) const;
+};
+
+}  // namespace opacity::techniques
