@@ -139,7 +139,8 @@ double paper_correlation(const OpticalDepthProfiles& layers) {
 
 std::vector<float> rebinned(const OpticalDepthProfiles& fine, std::span<const float> planes) {
     std::vector<Cell> cells;
-    for (std::size_t k = 1; k < planes.size(); ++k) cells.push_back(cell_of(fine.planes, planes[k]));
+    for (std::size_t k = 1; k < planes.size(); ++k)
+        cells.push_back(cell_of(fine.planes, planes[k]));
     std::vector<float> values;
     values.reserve(fine.texel_count() * cells.size());
     for (std::size_t t = 0; t < fine.texel_count(); ++t)

@@ -31,9 +31,8 @@ Reads BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) 
     if (trials) {
         const DrawnLayers drawn{opacity, planes};
         const bool rebuilds = similarity.is("error");
-        reads.push_back(
-            &search.add_trial(graph, inputs, *trials, drawn,
-                              rebuilds ? add_histogram(graph, inputs, bounds) : drawn));
+        reads.push_back(&search.add_trial(graph, inputs, *trials, drawn,
+                                          rebuilds ? add_histogram(graph, inputs, bounds) : drawn));
     }
     return look_up(inputs, std::move(reads));
 }
@@ -102,9 +101,8 @@ DrawnLayers BoundingOpacityMaps::add_histogram(FrameGraph& graph, const ShadowIn
     auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
     fine_layers.set(count);
     fine_planes.set(layer_planes(count, fine_ratio));
-    Texture& map =
-        add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
-                   {{"BLOCK_STRIDE", std::to_string(block_stride(inputs.map_size_px))}});
+    Texture& map = add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
+                              {{"BLOCK_STRIDE", std::to_string(block_stride(inputs.map_size_px))}});
     return {map, fine_planes};
 }
 

@@ -9,7 +9,8 @@
 //
 // Cost: 2 depth passes and ceil(K / 32) blended passes into ceil(K / 4) RGBA32F layers; 8 + 16
 // ceil(K / 4) bytes a texel. The search, when the casters, their opacity or the light changed: 2
-// more passes and one read-back, or a read-back in each of eleven frames. Look-up: 4 texels, 2 bounds and 2 planes each, whatever K is.
+// more passes and one read-back, or a read-back in each of eleven frames. Look-up: 4 texels, 2
+// bounds and 2 planes each, whatever K is.
 //
 // Fails: two clusters far apart in one texel (most planes lie in the gap); one split curve for the
 // whole map.

@@ -89,8 +89,8 @@ void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
                .execute = [search = *this, histogram, &planes](PassContext& context) {
                    const std::vector<float> fine = sample_profiles({context, histogram});
                    const int count = search.layers.get();
-                   const std::size_t trial = find_split_trial({histogram.planes.get(), fine}, count,
-                                                              search.measure());
+                   const std::size_t trial =
+                       find_split_trial({histogram.planes.get(), fine}, count, search.measure());
                    context.set(planes, layer_planes(count, trial_ratio(trial)));
                    context.note(ratio_text("split ratio", trial));
                }});
@@ -99,13 +99,22 @@ void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
 SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInputs& inputs,
                                              Value<std::vector<float>>& planes) const {
     const Trials trials{graph.value("scores", std::vector<double>{}),
-                        graph.value("searched", std::vector<Revision>{})};
+                        graph.value("searched", std::vector<Revision>{}),
+                        graph.value("opaque", Revision{})};
+    const std::vector<Revision> now{inputs.light.revision(),
+                                    inputs.translucent.geometry.revision(),
+                                    inputs.translucent.opacity.revision(),
+                                    layers.revision(),
+                                    similarity.revision(),
+                                    request.revision()};
     // The opaque casters of this frame are drawn later: that they moved shows in the next one.
-    const Revision before = trials.searched.revision();
-    trials.searched.set({inputs.light.revision(), inputs.translucent.geometry.revision(),
-                         inputs.translucent.opacity.revision(), inputs.opaque_depth.revision(),
-                         layers.revision(), similarity.revision(), request.revision()});
-    if (trials.searched.revision() != before) trials.scores.set({});
+    const bool opaque_moved =
+        !trials.scores.get().empty() && trials.opaque.get() != inputs.opaque_depth.revision();
+    if (now != trials.searched.get() || opaque_moved) {
+        trials.scores.set({});
+        trials.searched.set(now);
+        trials.searched.touch();  // a new search, of whatever
+    }
     const std::vector<double>& scores = trials.scores.get();
     const std::size_t trial = scores.size() < split_trials ? scores.size() : best_trial(scores);
     planes.set(layer_planes(layers.get(), trial_ratio(trial)));
@@ -116,16 +125,19 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
                                      const Trials& trials, const DrawnLayers& drawn,
                                      const DrawnLayers& fine) const {
     const bool has_fine = &fine.map != &drawn.map;
-    Reads reads{&drawn.map, &drawn.planes, &trials.searched, &inputs.light,
-                &inputs.translucent.opacity, &layers, &similarity, &request};
+    Reads reads{
+        &drawn.map, &drawn.planes, &trials.searched, &inputs.light, &inputs.translucent.opacity,
+        &layers,    &similarity,   &request};
     if (has_fine) reads.insert(reads.end(), {&fine.map, &fine.planes});
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,
                .reads = std::move(reads),
-               .values = {&trials.scores},
-               .execute = [search = *this, trials, drawn, fine, has_fine](PassContext& context) {
+               .values = {&trials.scores, &trials.opaque},
+               .execute = [search = *this, trials, drawn, fine, has_fine,
+                           &opaque_depth = inputs.opaque_depth](PassContext& context) {
                    std::vector<double> scores = trials.scores.get();
                    const bool is_trial = scores.size() < split_trials;
+                   if (scores.empty()) context.set(trials.opaque, opaque_depth.revision());
                    if (is_trial) {
                        const std::vector<float> layers = sample_profiles({context, drawn});
                        const std::vector<float> exact =

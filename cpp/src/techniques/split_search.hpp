@@ -41,8 +41,9 @@ struct SplitSearch {
     // those of the best; the second scores the layers that were drawn at them, for `error`
     // against the fine ones. The look-up reads what it returns, so that a frame needs its trial.
     struct Trials {
-        Value<std::vector<double>>& scores;     // of the trials so far
-        Value<std::vector<Revision>>& searched;  // what they were made for
+        Value<std::vector<double>>& scores;      // of the trials so far
+        Value<std::vector<Revision>>& searched;  // what they are made for
+        Value<Revision>& opaque;                 // the opaque casters before which they are made
     };
     Trials begin_trial(FrameGraph& graph, const ShadowInputs& inputs,
                        Value<std::vector<float>>& planes) const;

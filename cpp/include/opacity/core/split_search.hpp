@@ -27,12 +27,12 @@ std::vector<float> rebinned(const OpticalDepthProfiles& fine, std::span<const fl
 // What the layers of a trial are judged by. The measures of the thesis compare neighbouring layers:
 // each new one shall tell something new. On cumulative optical depth, as in the thesis, the sum of
 // absolute differences telescopes to (last - first) and C falls with it, so that ratio 1 wins on
-// nearly everything (paper_ forms). The others see opacity images 1 - exp(-Omega) of covered texels,
-// with the empty layer 0 at the start plane.
+// nearly everything (paper_ forms). The others see opacity images 1 - exp(-Omega) of covered
+// texels, with the empty layer 0 at the start plane.
 enum class Similarity {
-    error,                    // split_error
-    absolute_difference,      // the largest smallest sum between neighbours
-    correlation,              // the least mean C of neighbours
+    error,                      // split_error
+    absolute_difference,        // the largest smallest sum between neighbours
+    correlation,                // the least mean C of neighbours
     paper_absolute_difference,  // the largest sum over all neighbours, all texels, 8 bits
     paper_correlation,          // the least mean C of neighbours, all texels, 8 bits
 };
@@ -46,8 +46,8 @@ struct SplitMeasure {
 // casters are: the RMSE of T at the middle of each fine cell, weighted by the cell's optical depth,
 // against the mean of T in front of the fragments in the cell, since none of them counts itself.
 // Between two planes optical depth is interpolated, on a ramp that counts a part of the receiver
-// itself; with `own_correction` that part is taken away. Sums in float64. Against T behind the cell,
-// which counts the receiver, the measure prefers ratios near 1 whatever the scene.
+// itself; with `own_correction` that part is taken away. Sums in float64. Against T behind the
+// cell, which counts the receiver, the measure prefers ratios near 1 whatever the scene.
 double split_error(const OpticalDepthProfiles& layers, const OpticalDepthProfiles& fine,
                    bool own_correction = false);
 
