@@ -13,9 +13,9 @@ from collections.abc import Iterator
 
 import depth_error
 import numpy as np
-import scenes
 
 import pyopacity as po
+import scenes
 
 LAYERS = (4, 8, 16, 32)
 RATIOS = tuple(tenth / 10 for tenth in range(11))

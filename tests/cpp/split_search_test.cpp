@@ -66,15 +66,16 @@ std::vector<float> profiles_of(const std::vector<Curve>& texels,
     return values;
 }
 
-double score(const OpticalDepthProfiles& fine, int layers, double ratio,
+double score(const OpticalDepthProfiles& profiles, int layers, double ratio,
              const SplitMeasure& measure = {}) {
+    const FineProfiles fine{profiles};
     const std::vector<float> planes = layer_planes(layers, ratio);
-    const std::vector<float> values = rebinned(fine, planes);
+    const std::vector<float> values = fine.rebinned(planes);
     return split_score(measure, {planes, values}, fine);
 }
 
 double found(const OpticalDepthProfiles& fine, int layers, Similarity similarity) {
-    return trial_ratio(find_split_trial(fine, layers, {.similarity = similarity}));
+    return trial_ratio(find_split_trial(FineProfiles{fine}, layers, {.similarity = similarity}));
 }
 
 // Texels of random fragments between 0 and 1, denser toward one end by a power of their depth.
@@ -206,7 +207,8 @@ TEST_CASE("a receiver does not count its own fragment") {
     const std::vector<float> planes = layer_planes(64, 0.0);
     const std::vector<float> steps =
         profiles_of({[](double x) { return 0.1 * std::floor(8.0 * x); }}, planes);
-    CHECK(split_error({planes, steps}, {planes, steps}) < 0.051);  // half a fragment on its ramp
+    CHECK(split_error({planes, steps}, FineProfiles{{planes, steps}}) <
+          0.051);  // half a fragment on its ramp
     CHECK(score({planes, steps}, 8, 0.0) < 0.11);
 }
 
@@ -228,7 +230,7 @@ TEST_CASE("erratum: on raw optical depth, neighbours telescope, and ratio 1 wins
     const std::vector<float> values = random_casters(2, 1.0, 3.0, 0.1);
     const std::vector<float> planes = layer_planes(8, 0.4);
     const OpticalDepthProfiles fine{fine_planes, values};
-    const std::vector<float> layers = rebinned(fine, planes);
+    const std::vector<float> layers = FineProfiles{fine}.rebinned(planes);
     const auto in_8_bits = [](float tau) { return std::floor(255.0 * std::fmin(tau, 1.f) + 0.5); };
     double last_minus_first = 0.0;
     for (std::size_t t = 0; t < layers.size(); t += 8)
@@ -258,7 +260,7 @@ TEST_CASE("the thesis's 8 bits: steps of 1/255, and nothing above 1") {
     const std::vector<float> planes = layer_planes(2, 0.0);
     const auto difference = [&](float first, float last) {
         const std::vector<float> values{first, last};
-        return -split_score(paper, {planes, values}, {planes, values});
+        return -split_score(paper, {planes, values}, FineProfiles{{planes, values}});
     };
     CHECK(difference(0.f, 0.4f / 255.f) == 0.0);
     CHECK(difference(0.f, 0.6f / 255.f) == 1.0);

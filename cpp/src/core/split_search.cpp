@@ -9,60 +9,53 @@
 namespace opacity {
 namespace {
 
-// The cell that holds x, and how far into it.
-struct Cell {
-    std::size_t index;
-    double along;
-};
+// The look-up of receivers that lie in one texel.
+struct Receiver {
+    const OpticalDepthProfiles& layers;
+    std::span<const float> layered;
+    const FineProfiles& fine;
+    std::span<const float> exact;
+    double bias;
+    bool own_correction;
 
-Cell cell_of(std::span<const float> planes, double x) {
-    const auto above = std::upper_bound(planes.begin() + 1, planes.end() - 1, x);
-    const std::size_t index = std::size_t(above - planes.begin()) - 1;
-    const double begin = planes[index], end = planes[index + 1];
-    return {index, std::clamp((x - begin) / (end - begin), 0.0, 1.0)};
-}
-
-// Optical depth in front of plane k; nothing is in front of plane 0.
-double at_plane(std::span<const float> texel, std::size_t k) {
-    return k == 0 ? 0.0 : double(texel[k - 1]);
-}
-
-double interpolate(std::span<const float> texel, const Cell& cell) {
-    return std::lerp(at_plane(texel, cell.index), at_plane(texel, cell.index + 1), cell.along);
-}
-
-// The optical depth of one fragment, as far as the profiles show it: the mean of the cells that
-// stand between two empty ones. 0 where casters fill their cells, as smoke does.
-double fragment_optical_depth(const OpticalDepthProfiles& profiles) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < profiles.texel_count(); ++t) {
-        const std::span<const float> texel = profiles.texel(t);
-        for (std::size_t k = 1; k + 1 < profiles.layers(); ++k) {
-            const bool alone = texel[k - 1] < texel[k] && texel[k] == texel[k + 1] &&
-                               (k == 1 ? 0.f : texel[k - 2]) == texel[k - 1];
-            if (!alone) continue;
-            sum += double(texel[k]) - double(texel[k - 1]);
-            ++count;
-        }
+    double interpolated(const PlaneCell& cell) const {
+        return std::lerp(at_plane(layered, cell.index), at_plane(layered, cell.index + 1),
+                         cell.along);
     }
-    return count ? sum / double(count) : 0.0;
-}
-
-// How many equal fragments a cell of this optical depth holds.
-double fragments_in(double cell, double fragment) {
-    return fragment > 0.0 ? std::max(1.0, std::round(cell / fragment)) : 1e6;
-}
-
-// The mean over n equal fragments, of optical depth `cell` together, of T in front of each: 1 for
-// one fragment, (1 - exp(-cell)) / cell for very many.
-double mean_in_front(double cell, double n) {
-    return std::expm1(-cell) / (n * std::expm1(-cell / n));
-}
-
-bool is_covered(std::span<const float> texel) {
-    return texel.back() > 0.f;
-}
+    // T of the look-up minus that of the casters, for a fragment of optical depth `own` at the
+    // middle of fine cell k.
+    double error_in(std::size_t k, double own) const {
+        const std::span<const float> planes = fine.profiles().planes;
+        const double begin = planes[k], end = planes[k + 1], x = 0.5 * (begin + end);
+        if (!(x - bias > 0.0)) return 0.0;  // in front of all casters
+        const PlaneCell cell = cell_of(layers.planes, x - bias);
+        // The profiles know that it lies in its cell, but not where.
+        const auto spread = [&](double z) {
+            return std::clamp((z - begin) / (end - begin), 0.0, 1.0);
+        };
+        const double spread_own =
+            own * std::lerp(spread(layers.planes[cell.index]),
+                            spread(layers.planes[cell.index + 1]), cell.along);
+        const double in_front = fine.in_front(exact, x - bias) - own * spread(x - bias);
+        return error(interpolated(cell) - spread_own, in_front, own * ramp(x, cell));
+    }
+    double error_on_last(double own) const {
+        if (!(1.0 - bias > 0.0)) return 0.0;
+        const PlaneCell cell = cell_of(layers.planes, 1.0 - bias);
+        const double own_ramp = own * ramp(1.0, cell);
+        const double in_front =
+            bias > 0.0 ? fine.in_front(exact, 1.0 - bias) : double(exact.back()) - own;
+        return error(interpolated(cell) - own_ramp, in_front, own_ramp);
+    }
+    // The part of a caster at x that its layer counts at this place.
+    double ramp(double x, const PlaneCell& at) const {
+        return cell_of(layers.planes, x).index == at.index ? at.along : 0.0;
+    }
+    double error(double layered_others, double in_front, double own) const {
+        return std::exp(-std::max(0.0, layered_others + (own_correction ? 0.0 : own))) -
+               std::exp(-std::max(0.0, in_front));
+    }
+};
 
 double opacity_of(double optical_depth) {
     return -std::expm1(-optical_depth);
@@ -137,48 +130,34 @@ double paper_correlation(const OpticalDepthProfiles& layers) {
 
 }  // namespace
 
-std::vector<float> rebinned(const OpticalDepthProfiles& fine, std::span<const float> planes) {
-    std::vector<Cell> cells;
-    for (std::size_t k = 1; k < planes.size(); ++k)
-        cells.push_back(cell_of(fine.planes, planes[k]));
-    std::vector<float> values;
-    values.reserve(fine.texel_count() * cells.size());
-    for (std::size_t t = 0; t < fine.texel_count(); ++t)
-        for (const Cell& cell : cells) values.push_back(float(interpolate(fine.texel(t), cell)));
-    return values;
-}
-
-double split_error(const OpticalDepthProfiles& layers, const OpticalDepthProfiles& fine,
+double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
                    bool own_correction) {
-    // Where the receivers lie among the layers: the same for every texel.
-    std::vector<Cell> cells;
-    for (std::size_t k = 0; k < fine.layers(); ++k)
-        cells.push_back(
-            cell_of(layers.planes, 0.5 * (double(fine.planes[k]) + double(fine.planes[k + 1]))));
-    const double fragment = fragment_optical_depth(fine);
+    const std::span<const float> cells = fine.profiles().planes;
     double squares = 0.0, weights = 0.0;
-    for (std::size_t t = 0; t < fine.texel_count(); ++t) {
-        const std::span<const float> exact = fine.texel(t), layered = layers.texel(t);
+    for (std::size_t t = 0; t < layers.texel_count(); ++t) {
+        const std::span<const float> exact = fine.profiles().texel(t);
         if (!is_covered(exact)) continue;
-        for (std::size_t k = 0; k < fine.layers(); ++k) {
-            const double in_front = at_plane(exact, k);
-            const double weight = at_plane(exact, k + 1) - in_front;  // of the receivers here
-            if (!(weight > 0.0)) continue;
-            const double n = fragments_in(weight, fragment);
-            double layered_depth = interpolate(layered, cells[k]);
-            if (own_correction)
-                layered_depth = std::max(0.0, layered_depth - weight / n * cells[k].along);
-            const double error =
-                std::exp(-layered_depth) - std::exp(-in_front) * mean_in_front(weight, n);
+        const Receiver look_up{layers, layers.texel(t),         fine,
+                               exact,  fine.profiles().bias(t), own_correction};
+        const auto add = [&](double weight, double error) {
             squares += weight * error * error;
             weights += weight;
+        };
+        for (std::size_t k = 0; k + 1 < cells.size(); ++k) {
+            const double cell = at_plane(exact, k + 1) - at_plane(exact, k);
+            if (!(cell > 0.0)) continue;
+            const double own = fine.fragment_of(cell);
+            // T = 1 on the first one, whatever the layers.
+            const double others = cell - (k == 0 ? own : 0.0) - (k + 2 == cells.size() ? own : 0.0);
+            if (others > 1e-6 * cell) add(others, look_up.error_in(k, own));
+            if (k + 2 == cells.size()) add(own, look_up.error_on_last(own));
         }
     }
     return weights > 0.0 ? std::sqrt(squares / weights) : 0.0;
 }
 
 double split_score(const SplitMeasure& measure, const OpticalDepthProfiles& layers,
-                   const OpticalDepthProfiles& fine) {
+                   const FineProfiles& fine) {
     switch (measure.similarity) {
         case Similarity::absolute_difference:
             return -smallest_difference(layers);
@@ -197,12 +176,11 @@ std::size_t best_trial(std::span<const double> scores) {
     return std::size_t(std::min_element(scores.begin(), scores.end()) - scores.begin());
 }
 
-std::size_t find_split_trial(const OpticalDepthProfiles& fine, int layers,
-                             const SplitMeasure& measure) {
+std::size_t find_split_trial(const FineProfiles& fine, int layers, const SplitMeasure& measure) {
     std::vector<double> scores;
     for (std::size_t trial = 0; trial < split_trials; ++trial) {
         const std::vector<float> planes = layer_planes(layers, trial_ratio(trial));
-        const std::vector<float> values = rebinned(fine, planes);
+        const std::vector<float> values = fine.rebinned(planes);
         scores.push_back(split_score(measure, {planes, values}, fine));
     }
     return best_trial(scores);

@@ -152,7 +152,7 @@ void Renderer::render(std::span<float> rgba) {
 }
 
 std::vector<float> Renderer::transmittance(const Positions& world_points, int light) {
-    return impl_->transmittance(world_points, light, mean_strand_width(*impl_->scene));
+    return impl_->transmittance(world_points, light, mean_strand_width(impl_->scene->shapes()));
 }
 
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {

@@ -17,7 +17,7 @@ constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
 Reads BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     const Bounds bounds = add_bounds(graph, inputs);
     auto& planes = graph.value("planes", std::vector<float>{});
-    const SplitSearch search{layers, similarity, search_request_};
+    const SplitSearch search{layers, similarity, bias, search_request_};
     const bool searches = split.is("auto") && layers.get() > 1;
     std::optional<SplitSearch::Trials> trials;
     if (!searches)
@@ -29,7 +29,7 @@ Reads BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) 
     Texture& opacity = add_layers(graph, inputs, bounds, "opacity", {layers, planes, layers.get()});
     Reads reads{&bounds.start, &bounds.end, &opacity, &layers, &planes};
     if (trials) {
-        const DrawnLayers drawn{opacity, planes};
+        const DrawnLayers drawn{opacity, planes, bounds};
         const bool rebuilds = similarity.is("error");
         reads.push_back(&search.add_trial(graph, inputs, *trials, drawn,
                                           rebuilds ? add_histogram(graph, inputs, bounds) : drawn));
@@ -42,8 +42,7 @@ double BoundingOpacityMaps::fixed_ratio() const {
     return split.is("logarithmic") ? 1.0 : split.is("hybrid") ? split_ratio.get() : 0.0;
 }
 
-BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph,
-                                                            const ShadowInputs& inputs) const {
+Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph, const ShadowInputs& inputs) const {
     Texture& start = graph.texture("start", inputs.map(Format::depth32f));
     Texture& end = graph.texture("end", inputs.map(Format::depth32f));
     const Shader shader = inputs.caster_shader("bounds.frag.glsl", false);
@@ -103,7 +102,7 @@ DrawnLayers BoundingOpacityMaps::add_histogram(FrameGraph& graph, const ShadowIn
     fine_planes.set(layer_planes(count, fine_ratio));
     Texture& map = add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
                               {{"BLOCK_STRIDE", std::to_string(block_stride(inputs.map_size_px))}});
-    return {map, fine_planes};
+    return {map, fine_planes, bounds};
 }
 
 }  // namespace opacity::techniques

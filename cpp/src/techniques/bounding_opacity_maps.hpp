@@ -62,9 +62,6 @@ class BoundingOpacityMaps : public Technique {
                             "draws one ratio a frame, as the thesis does."};
 
    private:
-    struct Bounds {
-        Texture &start, &end;
-    };
     // K planes of [0, 1], and their number, as lib/planes.glsl reads them.
     struct Planes {
         const Source& layers;

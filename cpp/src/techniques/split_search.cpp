@@ -1,9 +1,11 @@
 #include "techniques/split_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "opacity/core/split.hpp"
+#include "scene/bias.hpp"
 
 namespace opacity::techniques {
 namespace {
@@ -18,23 +20,27 @@ constexpr std::size_t sampled_texels = 4096;
 
 // Channel c of layer t is plane 4 t + c + 1; the read-back holds one image a layer.
 struct ReadBack {
-    std::vector<float> targets;
-    int map_size_px, layers;
+    std::vector<float> targets, start, end;
+    std::vector<float> planes;
+    int map_size_px;
 
     ReadBack(PassContext& context, const DrawnLayers& drawn)
         : targets{context.read<float>(drawn.map)},
-          map_size_px{drawn.map.desc().width},
-          layers{int(drawn.planes.get().size()) - 1} {}
+          start{context.read<float>(drawn.bounds.start)},
+          end{context.read<float>(drawn.bounds.end)},
+          planes{drawn.planes.get()},
+          map_size_px{drawn.map.desc().width} {}
 
+    int layers() const { return int(planes.size()) - 1; }
     float plane(std::size_t texel, int k) const {
-        const std::size_t texels = std::size_t(map_size_px) * map_size_px;
-        return targets[(std::size_t(k / planes_per_target) * texels + texel) * planes_per_target +
+        return targets[(std::size_t(k / planes_per_target) * start.size() + texel) *
+                           planes_per_target +
                        k % planes_per_target];
     }
 };
 
-// Values of OpticalDepthProfiles: of the same texels for whatever layers of the same casters.
-std::vector<float> sample_profiles(const ReadBack& drawn) {
+// The same texels for whatever layers of the same casters.
+std::vector<std::size_t> sampled(const ReadBack& drawn) {
     std::vector<std::size_t> texels;
     std::size_t covered = 0;
     const auto is_sampled = [stride = block_stride(drawn.map_size_px)](int i) {
@@ -44,13 +50,35 @@ std::vector<float> sample_profiles(const ReadBack& drawn) {
         for (int x = 0; x < drawn.map_size_px; ++x) {
             if (!is_sampled(x) || !is_sampled(y)) continue;
             texels.push_back(std::size_t(y) * drawn.map_size_px + x);
-            covered += drawn.plane(texels.back(), drawn.layers - 1) > 0.f;
+            covered += drawn.plane(texels.back(), drawn.layers() - 1) > 0.f;
         }
     const std::size_t stride = std::max<std::size_t>(1, covered / sampled_texels);
-    std::vector<float> profiles;
-    for (std::size_t i = 0; i < texels.size(); i += stride)
-        for (int k = 0; k < drawn.layers; ++k) profiles.push_back(drawn.plane(texels[i], k));
-    return profiles;
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < texels.size(); i += stride) some.push_back(texels[i]);
+    return some;
+}
+
+// Profiles that own what they show.
+struct Sample {
+    std::vector<float> planes, values, biases;
+
+    // `bias` as a part of the light's depth range.
+    Sample(const ReadBack& drawn, double bias) : planes{drawn.planes} {
+        for (std::size_t texel : sampled(drawn)) {
+            for (int k = 0; k < drawn.layers(); ++k) values.push_back(drawn.plane(texel, k));
+            const float range = drawn.end[texel] - drawn.start[texel];
+            biases.push_back(range > 0.f ? float(std::min(1.0, bias / double(range))) : 1.f);
+        }
+    }
+    OpticalDepthProfiles profiles() const { return {planes, values, biases}; }
+};
+
+// Of receivers on the casters themselves, as a part of the light's depth range.
+double relative_bias(const ShadowInputs& inputs, const AutoParam& bias) {
+    const double4x4& m = inputs.light.from_world();
+    const double per_unit = std::hypot(m[8], m[9], m[10]);
+    return per_unit *
+           (bias.is_auto() ? mean_strand_width(inputs.translucent.shapes()) : bias.get());
 }
 
 std::string ratio_text(const char* before, std::size_t trial) {
@@ -84,13 +112,15 @@ void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
                               Value<std::vector<float>>& planes) const {
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,
-               .reads = {&histogram.map, &histogram.planes, &layers, &similarity, &request},
+               .reads = {&histogram.map, &histogram.planes, &histogram.bounds.start,
+                         &histogram.bounds.end, &layers, &similarity, &bias, &request},
                .values = {&planes},
-               .execute = [search = *this, histogram, &planes](PassContext& context) {
-                   const std::vector<float> fine = sample_profiles({context, histogram});
+               .execute = [search = *this, histogram, &planes,
+                           bias_ls = relative_bias(inputs, bias)](PassContext& context) {
+                   const Sample fine{{context, histogram}, bias_ls};
                    const int count = search.layers.get();
                    const std::size_t trial =
-                       find_split_trial({histogram.planes.get(), fine}, count, search.measure());
+                       find_split_trial(FineProfiles{fine.profiles()}, count, search.measure());
                    context.set(planes, layer_planes(count, trial_ratio(trial)));
                    context.note(ratio_text("split ratio", trial));
                }});
@@ -106,6 +136,7 @@ SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInpu
                                     inputs.translucent.opacity.revision(),
                                     layers.revision(),
                                     similarity.revision(),
+                                    bias.revision(),
                                     request.revision()};
     // The opaque casters of this frame are drawn later: that they moved shows in the next one.
     const bool opaque_moved =
@@ -125,25 +156,33 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
                                      const Trials& trials, const DrawnLayers& drawn,
                                      const DrawnLayers& fine) const {
     const bool has_fine = &fine.map != &drawn.map;
-    Reads reads{
-        &drawn.map, &drawn.planes, &trials.searched, &inputs.light, &inputs.translucent.opacity,
-        &layers,    &similarity,   &request};
+    Reads reads{&drawn.map,
+                &drawn.planes,
+                &drawn.bounds.start,
+                &drawn.bounds.end,
+                &trials.searched,
+                &inputs.light,
+                &inputs.translucent.opacity,
+                &layers,
+                &similarity,
+                &bias,
+                &request};
     if (has_fine) reads.insert(reads.end(), {&fine.map, &fine.planes});
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,
                .reads = std::move(reads),
                .values = {&trials.scores, &trials.opaque},
                .execute = [search = *this, trials, drawn, fine, has_fine,
-                           &opaque_depth = inputs.opaque_depth](PassContext& context) {
+                           &opaque_depth = inputs.opaque_depth,
+                           bias_ls = relative_bias(inputs, bias)](PassContext& context) {
                    std::vector<double> scores = trials.scores.get();
                    const bool is_trial = scores.size() < split_trials;
                    if (scores.empty()) context.set(trials.opaque, opaque_depth.revision());
                    if (is_trial) {
-                       const std::vector<float> layers = sample_profiles({context, drawn});
-                       const std::vector<float> exact =
-                           has_fine ? sample_profiles({context, fine}) : layers;
-                       scores.push_back(split_score(search.measure(), {drawn.planes.get(), layers},
-                                                    {fine.planes.get(), exact}));
+                       const Sample layers{{context, drawn}, bias_ls};
+                       const Sample exact = has_fine ? Sample{{context, fine}, bias_ls} : layers;
+                       scores.push_back(split_score(search.measure(), layers.profiles(),
+                                                    FineProfiles{exact.profiles()}));
                        context.set(trials.scores, scores);
                    }
                    context.note(progress(scores, is_trial));

@@ -19,16 +19,24 @@ int fine_layer_count(int map_size_px);
 // It holds one block of 4 x 4 texels in so many, both ways.
 int block_stride(int map_size_px);
 
-// Layers in an array texture, and the planes that they lie at.
+// Depths of the first and the last caster of each texel.
+struct Bounds {
+    Texture &start, &end;
+};
+
+// Layers in an array texture, the planes that they lie at, and the bounds that these lie between.
 struct DrawnLayers {
     Texture& map;
     Value<std::vector<float>>& planes;
+    Bounds bounds;
 };
 
-// What a search is told: how many layers, by which measure, and when to search again.
+// What a search is told: how many layers, by which measure, with which bias T is looked up, and
+// when to search again.
 struct SplitSearch {
     const Param<int>& layers;
     const Choice& similarity;  // in the order of Similarity
+    const AutoParam& bias;
     const Source& request;
 
     SplitMeasure measure() const { return {.similarity = Similarity(similarity.index())}; }

@@ -4,25 +4,10 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
+
+#include "opacity/core/optical_depth_profiles.hpp"
 
 namespace opacity {
-
-// Optical depth of many texels, cumulative at common planes of [0, 1]: texel t has values[t *
-// (planes - 1) + k - 1] in front of planes[k].
-struct OpticalDepthProfiles {
-    std::span<const float> planes;
-    std::span<const float> values;
-    std::size_t layers() const { return planes.size() - 1; }
-    std::size_t texel_count() const { return values.size() / layers(); }
-    // In front of planes 1, 2, ..
-    std::span<const float> texel(std::size_t t) const {
-        return values.subspan(t * layers(), layers());
-    }
-};
-
-// The same texels at other planes, by interpolation.
-std::vector<float> rebinned(const OpticalDepthProfiles& fine, std::span<const float> planes);
 
 // What the layers of a trial are judged by. The measures of the thesis compare neighbouring layers:
 // each new one shall tell something new. On cumulative optical depth, as in the thesis, the sum of
@@ -43,17 +28,16 @@ struct SplitMeasure {
 };
 
 // How well the layers rebuild the fine profiles of the same texels for receivers that lie where
-// casters are: the RMSE of T at the middle of each fine cell, weighted by the cell's optical depth,
-// against the mean of T in front of the fragments in the cell, since none of them counts itself.
-// Between two planes optical depth is interpolated, on a ramp that counts a part of the receiver
-// itself; with `own_correction` that part is taken away. Sums in float64. Against T behind the
-// cell, which counts the receiver, the measure prefers ratios near 1 whatever the scene.
-double split_error(const OpticalDepthProfiles& layers, const OpticalDepthProfiles& fine,
+// casters are: the RMSE of T that the look-up finds at the middle of each fine cell, and on the
+// last caster, against T in front of it; weighted by optical depth. No receiver counts itself, or
+// what is nearer than its bias; between two planes the look-up interpolates, on a ramp that does
+// count a part of the receiver. With `own_correction` it takes that part away. Sums in float64.
+double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
                    bool own_correction = false);
 
 // The score of a trial: the least is the best. `fine` counts for `error` alone.
 double split_score(const SplitMeasure& measure, const OpticalDepthProfiles& layers,
-                   const OpticalDepthProfiles& fine);
+                   const FineProfiles& fine);
 
 // The ratios of the trials.
 constexpr int split_trials = 11;
@@ -63,7 +47,7 @@ constexpr double trial_ratio(std::size_t trial) {
 // The trial with the least score; the first of equals.
 std::size_t best_trial(std::span<const double> scores);
 // The best of all trials, with layers rebinned from the fine profiles.
-std::size_t find_split_trial(const OpticalDepthProfiles& fine, int layers,
+std::size_t find_split_trial(const FineProfiles& fine, int layers,
                              const SplitMeasure& measure = {});
 
 }  // namespace opacity
