@@ -13,7 +13,7 @@ namespace opacity::techniques {
 
 // The histogram has so many cells, laid at ratio .5: fine near the light, where a logarithmic split
 // puts its planes, and fine enough behind. Larger maps have texels enough to take fewer cells.
-constexpr double fine_ratio = 0.5;
+constexpr double fine_ratio = 0.45;
 int fine_layer_count(int map_size_px);
 
 // It holds one block of 4 x 4 texels in so many, both ways.
