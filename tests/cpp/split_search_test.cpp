@@ -10,12 +10,13 @@
 
 #include "opacity/core/correlation.hpp"
 #include "opacity/core/split.hpp"
+#include "opacity/core/split_error.hpp"
 
 using namespace opacity;
 
 namespace {
 
-const std::vector<float> fine_planes = layer_planes(64, 0.5);
+const std::vector<float> fine_planes = layer_planes(64, 0.45);
 
 using Images = std::pair<std::vector<double>, std::vector<double>>;
 
@@ -79,7 +80,7 @@ double found(const OpticalDepthProfiles& fine, int layers, Similarity similarity
 }
 
 // Texels of random fragments between 0 and 1, denser toward one end by a power of their depth.
-std::vector<float> random_casters(std::uint64_t seed, double power, double mean_count, double tau) {
+std::vector<Curve> random_curves(std::uint64_t seed, double power, double mean_count, double tau) {
     std::mt19937_64 random{seed};
     std::uniform_real_distribution<double> uniform{0.0, 1.0};
     std::vector<Curve> texels;
@@ -93,7 +94,11 @@ std::vector<float> random_casters(std::uint64_t seed, double power, double mean_
             return sum;
         });
     }
-    return profiles_of(texels);
+    return texels;
+}
+
+std::vector<float> random_casters(std::uint64_t seed, double power, double mean_count, double tau) {
+    return profiles_of(random_curves(seed, power, mean_count, tau));
 }
 
 constexpr Similarity all_similarities[] = {
@@ -226,7 +231,57 @@ TEST_CASE("with own_correction, layers that hold one fragment each make no error
           doctest::Approx(score({planes, smoke}, 8, 0.3)).epsilon(1e-4));
 }
 
-TEST_CASE("erratum: on raw optical depth, neighbours telescope, and ratio 1 wins on everything") {
+TEST_CASE("what a receiver's bias leaves out, and the first caster, are no error") {
+    const std::vector<float> planes = layer_planes(64, 0.0);
+    const std::vector<float> values =
+        profiles_of({[](double x) { return 0.4 * (x > 0.0) + 0.4 * (x > 0.57); }}, planes);
+    const auto error = [&](float bias) {
+        return score({planes, values, {&bias, 1}}, 4, 0.0);  // layers begin at 0, .25, .5, .75
+    };
+    // Two fragments, of which the first is lit; the second lies at the middle of cell 36, and its
+    // layer counts a part of it.
+    const double along = (36.5 / 64 - 0.5) / 0.25;
+    const double error_of_second = std::exp(-0.4) * (1.0 - std::exp(-0.4 * along));
+    CHECK(error(0.f) == doctest::Approx(error_of_second).epsilon(1e-6));
+    CHECK(error(0.1f) < 1e-7);  // looks up in front of its layer
+    CHECK(error(1.f) == 0.0);   // in front of everything
+    const std::vector<float> single =
+        profiles_of({[](double x) { return 0.4 * (x > 0.0); }}, planes);
+    CHECK(score({planes, single}, 4, 0.7) == 0.0);
+}
+
+TEST_CASE("the last caster lies at the end of its layer, whatever the ratio") {
+    const std::vector<float> values =
+        profiles_of({[](double x) { return 0.4 * (x > 0.0) + 0.4 * (x >= 1.0); }});
+    for (int tenth = 0; tenth <= 10; ++tenth) {
+        const double error = std::exp(-0.4) - std::exp(-0.8);
+        CHECK(score({fine_planes, values}, 8, tenth / 10.0) ==
+              doctest::Approx(error).epsilon(1e-6));
+        CHECK(score({fine_planes, values}, 8, tenth / 10.0, {.own_correction = true}) < 1e-6);
+    }
+}
+
+TEST_CASE("layers from the histogram score like layers drawn from the casters themselves") {
+    for (double power : {0.5, 1.0, 3.0}) {
+        const std::vector<Curve> casters = random_curves(7, power, 12.0, 0.1);
+        const std::vector<float> histogram = profiles_of(casters);
+        const FineProfiles fine{{fine_planes, histogram}};
+        for (Similarity similarity : all_similarities)
+            for (double ratio : {0.0, 0.5, 1.0}) {
+                const std::vector<float> planes = layer_planes(8, ratio);
+                const std::vector<float> drawn = profiles_of(casters, planes);
+                const std::vector<float> rebinned = fine.rebinned(planes);
+                const SplitMeasure measure{.similarity = similarity};
+                const double of_drawn = split_score(measure, {planes, drawn}, fine);
+                CHECK(split_score(measure, {planes, rebinned}, fine) ==
+                      doctest::Approx(of_drawn).epsilon(0.05));
+            }
+    }
+}
+
+TEST_CASE(
+    "erratum: on raw optical depth, neighbours telescope, and the largest ratios win on "
+    "everything") {
     const std::vector<float> values = random_casters(2, 1.0, 3.0, 0.1);
     const std::vector<float> planes = layer_planes(8, 0.4);
     const OpticalDepthProfiles fine{fine_planes, values};
@@ -251,7 +306,7 @@ TEST_CASE("erratum: on raw optical depth, neighbours telescope, and ratio 1 wins
             CHECK(found(all, 8, Similarity::error) < 1.0);
             if (power < 1.0) continue;  // at 8 bits the first layers are empty from some ratio on
             CHECK(found(all, 8, Similarity::paper_absolute_difference) == 1.0);
-            CHECK(found(all, 8, Similarity::paper_correlation) == 1.0);
+            CHECK(found(all, 8, Similarity::paper_correlation) >= 0.9);
         }
 }
 

@@ -11,11 +11,14 @@ double fragment_optical_depth(const OpticalDepthProfiles& profiles) {
     std::size_t count = 0;
     for (std::size_t t = 0; t < profiles.texel_count(); ++t) {
         const std::span<const float> texel = profiles.texel(t);
-        for (std::size_t k = 1; k + 1 < profiles.layers(); ++k) {
-            const bool alone = texel[k - 1] < texel[k] && texel[k] == texel[k + 1] &&
-                               at_plane(texel, k - 1) == double(texel[k - 1]);
+        const auto cell = [&](std::size_t k) {
+            return at_plane(texel, k + 1) - at_plane(texel, k);
+        };
+        for (std::size_t k = 0; k < texel.size(); ++k) {
+            const bool alone = cell(k) > 0.0 && (k == 0 || cell(k - 1) == 0.0) &&
+                               (k + 1 == texel.size() || cell(k + 1) == 0.0);
             if (!alone) continue;
-            sum += double(texel[k]) - double(texel[k - 1]);
+            sum += cell(k);
             ++count;
         }
     }

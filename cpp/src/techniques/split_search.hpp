@@ -3,7 +3,6 @@
 // What a search has found so far is a value of the graph.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "opacity/core/split_search.hpp"
@@ -11,8 +10,9 @@
 
 namespace opacity::techniques {
 
-// The histogram has so many cells, laid at ratio .5: fine near the light, where a logarithmic split
-// puts its planes, and fine enough behind. Larger maps have texels enough to take fewer cells.
+// The histogram has so many cells: fine near the light, where a logarithmic split puts its planes,
+// and fine enough behind; at a ratio between two trials, since one whose planes fall on those of
+// the cells looks better than it is. Larger maps have texels enough to take fewer cells.
 constexpr double fine_ratio = 0.45;
 int fine_layer_count(int map_size_px);
 

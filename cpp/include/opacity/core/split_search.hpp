@@ -27,14 +27,6 @@ struct SplitMeasure {
     bool own_correction = false;  // of `error`: the look-up leaves the receiver's own ramp out
 };
 
-// How well the layers rebuild the fine profiles of the same texels for receivers that lie where
-// casters are: the RMSE of T that the look-up finds at the middle of each fine cell, and on the
-// last caster, against T in front of it; weighted by optical depth. No receiver counts itself, or
-// what is nearer than its bias; between two planes the look-up interpolates, on a ramp that does
-// count a part of the receiver. With `own_correction` it takes that part away. Sums in float64.
-double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
-                   bool own_correction = false);
-
 // The score of a trial: the least is the best. `fine` counts for `error` alone.
 double split_score(const SplitMeasure& measure, const OpticalDepthProfiles& layers,
                    const FineProfiles& fine);
