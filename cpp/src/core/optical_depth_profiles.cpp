@@ -51,13 +51,14 @@ double FineProfiles::in_front(std::span<const float> texel, double x) const {
 }
 
 std::vector<float> FineProfiles::rebinned(std::span<const float> planes) const {
-    std::vector<float> values;
-    values.reserve(profiles_.texel_count() * (planes.size() - 1));
+    const std::size_t layers = planes.size() - 1;
+    std::vector<float> values(profiles_.texel_count() * layers, 0.f);
     for (std::size_t t = 0; t < profiles_.texel_count(); ++t) {
         const std::span<const float> texel = profiles_.texel(t);
-        for (std::size_t k = 1; k + 1 < planes.size(); ++k)
-            values.push_back(float(in_front(texel, planes[k])));
-        values.push_back(texel.back());
+        if (!is_covered(texel)) continue;
+        float* value = &values[t * layers];
+        for (std::size_t k = 1; k < layers; ++k) *value++ = float(in_front(texel, planes[k]));
+        *value = texel.back();
     }
     return values;
 }

@@ -55,8 +55,8 @@ class FineProfiles {
 
    private:
     OpticalDepthProfiles profiles_;
-    // Mean of the cells that stand between two empty ones. 0 where casters fill their cells, as
-    // smoke does.
+    // Mean of the cells that stand between empty ones. 0 where casters fill their cells, as smoke
+    // does.
     double fragment_;
 };
 
