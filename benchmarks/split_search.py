@@ -3,7 +3,7 @@
     python benchmarks/split_search.py [--map-size 256] [--frames 1] > table.md
 
 Prints the table of docs/accuracy.md. Depth error: RMSE of T against the exact lists of the same
-map. Scenes: those of scenes.py, and straight.hair where PYOPACITY_DATA has it.
+map. Scenes: those of generated_scenes.py, and straight.hair where PYOPACITY_DATA has it.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ import argparse
 from collections.abc import Iterator
 
 import depth_error
+import generated_scenes as scenes
 import numpy as np
 
 import pyopacity as po
-import scenes
 
 LAYERS = (4, 8, 16, 32)
 RATIOS = tuple(tenth / 10 for tenth in range(11))

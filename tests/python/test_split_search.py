@@ -11,9 +11,8 @@ import pytest
 import pyopacity as po
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+import generated_scenes as generated
 import split_search
-
-import scenes as generated
 
 pytestmark = pytest.mark.gl
 
