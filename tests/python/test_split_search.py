@@ -81,7 +81,7 @@ def test_the_found_ratio_is_the_one_drawn(renderer: po.Renderer) -> None:
 def test_eleven_frames_find_what_one_does(needs_gl: None, similarity: str) -> None:
     """Up to the histogram's cells: the same ratio, or the next with nearly the same depth error.
 
-    Where the layers get as thin as the cells, correlation tells them apart: hence few layers.
+    Four layers: with eight, the two correlations of histogram and layers differ by up to .3.
     """
     strands = generated.tree(leaves=1500)
     kept = []
