@@ -34,7 +34,7 @@ from pyopacity.light import DirectionalLight
 from pyopacity.pass_report import PassReport, Report
 from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.reference_picture import traced_picture
-from pyopacity.renderer import Renderer
+from pyopacity.renderer import Renderer, transmittance
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Shape, Strands
 from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
@@ -77,4 +77,5 @@ __all__ = [
     "trace_backends",
     "trace_transmittance",
     "traced_picture",
+    "transmittance",
 ]

@@ -44,9 +44,9 @@ class Renderer(HasParameters):
         size: width and height of the picture in pixels; the default is 1024 x 768.
         technique: a name, or what :func:`pyopacity.technique` makes.
         background: linear RGB or RGBA behind everything; alpha 0 for a transparent picture.
-        device: "gpu", which is whatever OpenGL there is, also one in software; or "cpu", which needs
-            none: the same maps in C++ on all cores, for :meth:`transmittance` of techniques that
-            have them there, and no pictures.
+        device: "gpu", which is whatever OpenGL there is, also one in software; or "cpu", which
+            needs none: the same maps in C++ on all cores, for :meth:`transmittance` of techniques
+            that have them there, and no pictures.
         settings: the parameters below.
 
     Raises:
@@ -119,8 +119,8 @@ class Renderer(HasParameters):
 
         Casters nearer than the technique's ``bias`` toward the light do not count, so that a strand
         does not shadow itself. ``bias="auto"`` is the width of a shape's strands, for points the
-        mean width of the scene's, and at least 1e-4 of the casters' radius. What a strand that runs
-        along the light has in front of its own points, beyond the bias, still counts.
+        mean width of the scene's, and at least 1e-4 of the casters' radius. At the points of a
+        shape, a technique with ``own_correction`` takes out what the map holds of the shape there.
 
         Args:
             where: world positions, (N, 3) float32 or float64; or a shape: its own points, moved by
@@ -333,6 +333,35 @@ class Renderer(HasParameters):
                 f"pass numpy.empty(({height}, {width}, 4), numpy.float32)",
             )
         return out
+
+
+def transmittance(
+    scene: Scene,
+    points: Floats | Shape,
+    technique: str | Technique = "bounding_opacity_maps",
+    map_size: int | Literal["auto"] = 512,
+    light: int = 0,
+) -> npt.NDArray[np.float32]:
+    """The part of a light that arrives at points, by the same maps on the CPU: no OpenGL at all.
+
+    To ask more than once keep a ``Renderer(scene, device="cpu")``, which skips what has not
+    changed.
+
+    Args:
+        scene: what casts, and the lights.
+        points: world positions, (N, 3) float32 or float64; or a shape: its own points.
+        technique: a name, or what :func:`pyopacity.technique` makes.
+        map_size: texels along each side of the light's map, 1..16384, or "auto".
+        light: index into ``scene.lights``.
+
+    Returns:
+        (N,) float32 in [0, 1]; see :meth:`Renderer.transmittance`.
+
+    Raises:
+        ParameterError: as :meth:`Renderer.transmittance`; or a technique that has no form in C++.
+    """
+    with Renderer(scene, technique=technique, device="cpu", map_size=map_size) as renderer:
+        return renderer.transmittance(points, light)
 
 
 def _camera(camera: object) -> Camera:

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/io/load.hpp"
 #include "opacity/scene/mesh.hpp"
@@ -20,7 +21,6 @@
 #include "rays/backend.hpp"
 #include "rays/crossing.hpp"
 #include "rays/footprint.hpp"
-#include "core/parallel.hpp"
 #include "scene/light_fit.hpp"
 
 using namespace opacity;

@@ -32,3 +32,11 @@ def hair_over_ball():
     scene.add(po.Mesh(ball, np.concatenate([quads, other])))
     scene.add(po.DirectionalLight(direction=(0.2, 0.1, -1.0)))
     return scene
+
+
+def impersonal(name, **parameters):
+    """A technique that answers at a shape's points as at any other: own_correction off."""
+    technique = po.technique(name, **parameters)
+    if "own_correction" in {parameter.name for parameter in technique.parameters}:
+        technique.own_correction = False
+    return technique

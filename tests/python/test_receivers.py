@@ -8,6 +8,7 @@ import numpy.typing as npt
 import pytest
 
 import pyopacity as po
+from scenes import impersonal
 
 pytestmark = pytest.mark.gl
 
@@ -125,10 +126,10 @@ def test_shading_is_linear_in_what_is_looked_up_there(
 ) -> None:
     """With the technique's own T at the receivers, dark and lit add up to the technique's picture.
 
-    One bias for all: transmittance at points knows no strand of their own.
+    One bias for all, and no own correction: points know no strand of their own.
     """
     camera = po.Camera.fit(scene.shapes[:2])
-    shadows = po.technique(technique, bias=0.05)
+    shadows = impersonal(technique, bias=0.05)
     T = np.ones((32, 48))
     with po.Renderer(scene, camera, technique=shadows, **small) as renderer:
         picture = renderer.render()

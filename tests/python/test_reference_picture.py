@@ -8,6 +8,7 @@ import pytest
 
 import pyopacity as po
 from pyopacity.reference_picture import picture_parts
+from scenes import impersonal
 
 pytestmark = pytest.mark.gl
 
@@ -27,7 +28,7 @@ def test_without_casters_it_is_the_unshadowed_picture(scene: po.Scene) -> None:
 def test_with_a_techniques_own_light_it_is_its_picture(scene: po.Scene, technique: str) -> None:
     camera = po.Camera.fit(scene.shapes[:2])
     parts = picture_parts(scene, camera, (48, 32), 2)
-    shadows = po.technique(technique, bias=0.05)  # points know no strand of their own
+    shadows = impersonal(technique, bias=0.05)  # points know no strand of their own
     settings: dict[str, Any] = {"map_size": 64, "antialiasing": 2}
     with po.Renderer(scene, camera, (48, 32), shadows, **settings) as renderer:
         T = renderer.transmittance(parts.points)

@@ -68,6 +68,8 @@ def ends_of(parameter):
     if parameter.type == "choice":
         return [choice.strip().strip('"') for choice in parameter.range.split(",")]
     convert = int if parameter.type == "int" else float
+    if ", " in parameter.range:
+        return [convert(choice) for choice in parameter.range.split(", ")]
     ends = [convert(float(end)) for end in parameter.range.replace('"auto" or ', "").split("..")]
     return [*ends, "auto"] if "auto" in parameter.range else ends
 

@@ -140,6 +140,24 @@ void Choice::assign(const ParamValue& value) {
     touch();
 }
 
+std::string IntChoice::range() const {
+    std::string list;
+    for (int choice : choices_) list += (list.empty() ? "" : ", ") + std::to_string(choice);
+    return list;
+}
+
+void IntChoice::assign(const ParamValue& value) {
+    double number = 0.0;
+    if (!as_double(value, number)) reject_type(value);
+    const auto found = std::find_if(choices_.begin(), choices_.end(),
+                                    [&](int choice) { return double(choice) == number; });
+    if (found == choices_.end()) reject(value, "not one of " + range());
+    const auto index = std::size_t(found - choices_.begin());
+    if (index == index_) return;
+    index_ = index;
+    touch();
+}
+
 template <>
 std::string AutoParam<int>::type() const {
     return "int or \"auto\"";

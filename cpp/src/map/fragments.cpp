@@ -13,7 +13,8 @@ struct Corner {
 };
 
 Corner snapped(const float4& p) {
-    return {std::nearbyint(double(p[0]) * 256.0) / 256.0, std::nearbyint(double(p[1]) * 256.0) / 256.0};
+    return {std::nearbyint(double(p[0]) * 256.0) / 256.0,
+            std::nearbyint(double(p[1]) * 256.0) / 256.0};
 }
 
 // Twice the area of a, b, c; positive where they turn left.

@@ -1,5 +1,5 @@
-// The fragments that casters leave in the light's map, by the deposit rule (docs/accuracy.md). GLSL:
-// casters.vert.glsl and lib/deposit.glsl.
+// The fragments that casters leave in the light's map, by the deposit rule (docs/accuracy.md).
+// GLSL: casters.vert.glsl and lib/deposit.glsl.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Copies of casters as the light sees them: points in light space, float32 as the GPU has them, made
-// again only when the shape or the light has moved.
+// Copies of casters as the light sees them: points in light space, float32 as the GPU has them,
+// made again only when the shape or the light has moved.
 #pragma once
 
 #include <cstdint>

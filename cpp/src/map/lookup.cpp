@@ -57,8 +57,7 @@ MapLookUp::Taps MapLookUp::filtered_taps(const Receiver& receiver, float depth) 
 }
 
 float MapLookUp::transmittance(const Receiver& receiver, float width) const {
-    const float bias =
-        bias_ < 0.0 ? std::max(width, float(space_.least_bias)) : float(bias_);
+    const float bias = bias_ < 0.0 ? std::max(width, float(space_.least_bias)) : float(bias_);
     const float depth = receiver.p_ls[2] - bias / float(space_.depth_range);
     const float reach = largest_filter_radius + 1.f, far = float(space_.map_size_px) + reach;
     const auto is_near = [&](float v) { return v > -reach && v < far; };

@@ -1,5 +1,5 @@
-// What a texel holds of the receiver's own caster. A map of layers spreads it over a layer, so that a
-// look-up inside counts a part of it. GLSL: lib/receiver.glsl.
+// What a texel holds of the receiver's own caster. A map of layers spreads it over a layer, so that
+// a look-up inside counts a part of it. GLSL: lib/receiver.glsl.
 #pragma once
 
 #include "map/receiver.hpp"

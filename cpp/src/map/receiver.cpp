@@ -75,7 +75,7 @@ void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, co
 
 Query Query::at(Positions world_points, const Scene& scene) {
     check_receivers(world_points);
-    return {std::move(world_points), mean_strand_width(scene), nullptr};
+    return {std::move(world_points), mean_strand_width(scene.shapes()), nullptr};
 }
 
 Query Query::at(const Shape& shape, const Scene& scene) {
@@ -85,8 +85,7 @@ Query Query::at(const Shape& shape, const Scene& scene) {
     const bool is_in_maps =
         shape.is_caster() && !shape.opaque() &&
         std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return s.get() == &shape; });
-    return {std::move(on_shape.world_points), on_shape.strand_width,
-            is_in_maps ? &shape : nullptr};
+    return {std::move(on_shape.world_points), on_shape.strand_width, is_in_maps ? &shape : nullptr};
 }
 
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,

@@ -1,5 +1,5 @@
-// Who asks for T, as lib/receiver.glsl takes it: a point in light space, and what it lies on if that
-// casts too.
+// Who asks for T, as lib/receiver.glsl takes it: a point in light space, and what it lies on if
+// that casts too.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ namespace opacity {
 struct Receiver {
     float3 p_ls{};
     float width_texels = 0.f;  // of its strand; 0 on a surface
-    float3 direction{};        // of its strand, one texel long on the major axis; surface: xy = slope
-    float opacity = 0.f;       // of its own caster; 0 where it lies on none
-    float ends[2] = {0.f, 0.f};  // how far its strand reaches both ways, in directions
+    float3 direction{};   // of its strand, one texel long on the major axis; surface: xy = slope
+    float opacity = 0.f;  // of its own caster; 0 where it lies on none
+    float ends[2] = {0.f, 0.f};    // how far its strand reaches both ways, in directions
     float unused[2] = {0.f, 0.f};  // a multiple of four floats, as std430 has it
 };
 static_assert(sizeof(Receiver) == 12 * sizeof(float));

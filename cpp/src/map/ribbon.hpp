@@ -21,7 +21,7 @@ struct Coverage {
 // One segment in light space, with x its major axis: the one along which it covers more texels.
 struct MajorSegment {
     float x, y, dx, dy, root_z, tip_z;
-    bool steep;  // x and y are exchanged
+    bool steep;            // x and y are exchanged
     float slope, stretch;  // dy / dx, and the length over one texel of x
 
     MajorSegment(const float3& root, const float3& tip)

@@ -5,10 +5,10 @@
 #include <memory>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "opacity/core/error.hpp"
 #include "rays/backend.hpp"
 #include "rays/footprint.hpp"
-#include "core/parallel.hpp"
 #include "scene/bias.hpp"
 #include "scene/check.hpp"
 #include "scene/light_fit.hpp"
@@ -178,7 +178,7 @@ std::vector<float> trace(const Scene& scene, const Positions& points, const Trac
             result[i] = float(tracer.transmittance(i, hits));
     };
     in_parallel((points.size() + points_at_once - 1) / points_at_once, settings.threads, work,
-                      watch);
+                watch);
     return finish();
 }
 
@@ -191,7 +191,7 @@ std::vector<std::string> trace_backends() {
 
 std::vector<float> trace_transmittance(const Scene& scene, const Positions& world_points,
                                        const TraceSettings& settings) {
-    return trace(scene, world_points, settings, mean_strand_width(scene));
+    return trace(scene, world_points, settings, mean_strand_width(scene.shapes()));
 }
 
 std::vector<float> trace_transmittance(const Scene& scene, const Shape& shape,

@@ -94,7 +94,8 @@ Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
     if (!map_size_reason_.empty()) look_up.reads.push_back(&add_map_size());
     look_up.reads.push_back(&light_);  // lighting places every vertex in the light's map
     Texture& image = add_lighting(inputs, look_up);
-    return {image, query_.add(graph_, look_up, *technique_, space_), add_receivers(inputs.settings)};
+    return {image, query_.add(graph_, look_up, *technique_, space_),
+            add_receivers(inputs.settings)};
 }
 
 ShadowLookUp Frame::add_shadows(const FrameInputs& inputs) {

@@ -32,17 +32,16 @@ const Resource& ShadowQuery::add(FrameGraph& graph, const ShadowLookUp& look_up,
     const Buffers buffers{graph.buffer("query"), graph.buffer("transmittance")};
     Reads reads = look_up.reads;
     reads.push_back(&asked_);
-    graph.add({.name = "transmittance",
-               .shader = {.compute = "transmittance.comp.glsl",
-                          .technique = look_up.shader,
-                          .defines = look_up.defines},
-               .reads = std::move(reads),
-               .stores = {&buffers.query, &buffers.transmittance},
-               .execute = [this, buffers](PassContext& context) { ask_all(context, buffers); },
-               .on_cpu =
-                   [this, look_up, &technique, &space](PassContext& context) {
-                       look_up_all(context, look_up, technique, space);
-                   }});
+    graph.add(
+        {.name = "transmittance",
+         .shader = {.compute = "transmittance.comp.glsl",
+                    .technique = look_up.shader,
+                    .defines = look_up.defines},
+         .reads = std::move(reads),
+         .stores = {&buffers.query, &buffers.transmittance},
+         .execute = [this, buffers](PassContext& context) { ask_all(context, buffers); },
+         .on_cpu = [this, look_up, &technique, &space](
+                       PassContext& context) { look_up_all(context, look_up, technique, space); }});
     return buffers.transmittance;
 }
 

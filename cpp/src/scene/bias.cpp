@@ -15,9 +15,9 @@ double least_bias(const Scene& scene) {
     return std::max(1e-4 * radius, 1e-30);
 }
 
-double mean_strand_width(const Scene& scene) {
+double mean_strand_width(const std::vector<ShapePtr>& shapes) {
     double sum = 0.0, points = 0.0;
-    for (const ShapePtr& shape : scene.shapes()) {
+    for (const ShapePtr& shape : shapes) {
         const auto lock = shape->lock();
         if (!shape->is_caster() || shape->strand_width() == 0.0) continue;
         sum += double(shape->points().size()) * shape->strand_width();

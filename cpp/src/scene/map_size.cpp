@@ -23,7 +23,8 @@ class Occupancy {
         for (int axis = 0; axis < 3; ++axis) {
             const double extent = box_.max[axis] - box_.min[axis];
             const double part = extent > 0.0 ? (p[axis] - box_.min[axis]) / extent : 0.0;
-            index = index * cells + std::clamp<std::size_t>(std::size_t(part * cells), 0, cells - 1);
+            index =
+                index * cells + std::clamp<std::size_t>(std::size_t(part * cells), 0, cells - 1);
         }
         cells_[index] = true;
     }
@@ -79,7 +80,7 @@ MapSizeRule::Spacing MapSizeRule::measure(const Scene& scene) {
         occupancy.add(a);
         occupancy.add(b);
     });
-    return {std::sqrt(occupancy.volume() / length), mean_strand_width(scene)};
+    return {std::sqrt(occupancy.volume() / length), mean_strand_width(scene.shapes())};
 }
 
 MapSize MapSizeRule::choose(const Scene& scene, double side, double filter_width) {

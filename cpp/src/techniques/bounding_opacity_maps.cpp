@@ -1,7 +1,8 @@
 #include "techniques/bounding_opacity_maps.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <optional>
+#include <utility>
 
 #include "opacity/core/split.hpp"
 #include "techniques/layers_on_cpu.hpp"
@@ -11,48 +12,29 @@ namespace {
 
 constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
 
-// The histogram that the split search reads back. Cells are laid at ratio .5: fine near the light,
-// where a logarithmic split puts its planes, and fine enough behind. Larger maps have texels enough
-// to take fewer cells.
-constexpr double fine_ratio = 0.5;
-int fine_layer_count(int map_size_px) {
-    return map_size_px <= 1024 ? 64 : map_size_px <= 2048 ? 32 : 16;
-}
-
-// Texels that the search looks at: those of a map of this size, spread over the whole, and of those
-// with casters so many.
-constexpr int sampled_size_px = 128;
-constexpr std::size_t sampled_texels = 4096;
-
-// Channel c of layer t is plane 4 t + c + 1; the read-back holds one image a layer.
-std::vector<float> sample_profiles(const std::vector<float>& targets, std::size_t texel_count,
-                                   int layers) {
-    const auto plane = [&](std::size_t texel, int k) {
-        return targets[(std::size_t(k / planes_per_target) * texel_count + texel) *
-                           planes_per_target +
-                       k % planes_per_target];
-    };
-    std::vector<std::size_t> covered;
-    for (std::size_t texel = 0; texel < texel_count; ++texel)
-        if (plane(texel, layers - 1) > 0.f) covered.push_back(texel);
-    const std::size_t stride = std::max<std::size_t>(1, covered.size() / sampled_texels);
-    std::vector<float> profiles;
-    for (std::size_t i = 0; i < covered.size(); i += stride)
-        for (int k = 0; k < layers; ++k) profiles.push_back(plane(covered[i], k));
-    return profiles;
-}
-
 }  // namespace
 
 LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     const Bounds bounds = add_bounds(graph, inputs);
     auto& planes = graph.value("planes", std::vector<float>{});
-    if (split.is("auto") && layers.get() > 1)
-        add_search(graph, inputs, bounds, planes);
-    else
+    const SplitSearch search{layers, similarity, bias, own_correction, search_request_};
+    const bool searches = split.is("auto") && layers.get() > 1;
+    std::optional<SplitSearch::Trials> trials;
+    if (!searches)
         planes.set(layer_planes(layers.get(), fixed_ratio()));
+    else if (search_frames.get() == 1)
+        search.add_at_once(graph, inputs, add_histogram(graph, inputs, bounds), planes);
+    else
+        trials.emplace(search.begin_trial(graph, inputs, planes));
     Texture& opacity = add_layers(graph, inputs, bounds, "opacity", {layers, planes, layers.get()});
-    LookUp result = look_up(inputs, {&bounds.start, &bounds.end, &opacity, &layers, &planes},
+    Reads reads{&bounds.start, &bounds.end, &opacity, &layers, &planes};
+    if (trials) {
+        const DrawnLayers drawn{opacity, planes, bounds};
+        const bool rebuilds = similarity.is("error");
+        reads.push_back(&search.add_trial(graph, inputs, *trials, drawn,
+                                          rebuilds ? add_histogram(graph, inputs, bounds) : drawn));
+    }
+    LookUp result = look_up(inputs, std::move(reads),
                             layers_look_up({bounds.start, bounds.end, opacity, planes}));
     result.own_correction = own_correction.get() && !inputs.paper_deposit;
     return result;
@@ -63,8 +45,7 @@ double BoundingOpacityMaps::fixed_ratio() const {
     return split.is("logarithmic") ? 1.0 : split.is("hybrid") ? split_ratio.get() : 0.0;
 }
 
-BoundingOpacityMaps::Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph,
-                                                            const ShadowInputs& inputs) const {
+Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph, const ShadowInputs& inputs) const {
     Texture& start = graph.texture("start", inputs.map(Format::depth32f));
     Texture& end = graph.texture("end", inputs.map(Format::depth32f));
     const Shader shader = inputs.caster_shader("bounds.frag.glsl", false);
@@ -119,33 +100,16 @@ Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& 
     return map;
 }
 
-void BoundingOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs,
-                                     const Bounds& bounds,
-                                     Value<std::vector<float>>& planes) const {
+DrawnLayers BoundingOpacityMaps::add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
+                                               const Bounds& bounds) const {
     const int count = fine_layer_count(inputs.space.map_size_px);
     auto& fine_layers = graph.value("fine/layers", 0);
     auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
     fine_layers.set(count);
     fine_planes.set(layer_planes(count, fine_ratio));
-    Texture& histogram =
-        add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
-                   std::max(1, inputs.space.map_size_px / sampled_size_px));
-    graph.add(
-        {.name = "split_search",
-         .only_with = &inputs.translucent,
-         .reads = {&histogram, &fine_planes, &layers, &search_request_},
-         .values = {&planes},
-         .execute = [this, &histogram, &fine_planes, &planes](PassContext& context) {
-             const TextureDesc& map = histogram.desc();
-             const std::vector<float> profiles = sample_profiles(
-                 context.read<float>(histogram), std::size_t(map.width) * map.height,
-                 int(fine_planes.get().size()) - 1);
-             const double ratio = find_split_ratio({fine_planes.get(), profiles}, layers.get());
-             context.set(planes, layer_planes(layers.get(), ratio));
-             char text[32];
-             std::snprintf(text, sizeof text, "split ratio %.1f", ratio);
-             context.note(text);
-         }});
+    Texture& map = add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
+                              block_stride(inputs.space.map_size_px));
+    return {map, fine_planes, bounds};
 }
 
 }  // namespace opacity::techniques

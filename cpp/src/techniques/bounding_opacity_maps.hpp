@@ -5,11 +5,12 @@
 // planes are laid between the bounds of that texel, so layers follow the shape of the casters on
 // both sides, and each plane holds the optical depth in front of it. The planes may be evenly
 // spaced, dense near the light (logarithmic), or a mix whose ratio is found by reading layers back
-// to the CPU.
+// to the CPU: eleven ratios from one fine histogram, or one ratio a frame, as in the thesis.
 //
 // Cost: 2 depth passes and ceil(K / 32) blended passes into ceil(K / 4) RGBA32F layers; 8 + 16
 // ceil(K / 4) bytes a texel. The search, when the casters, their opacity or the light changed: 2
-// more passes and one read-back. Look-up: 4 texels, 2 bounds and 2 planes each, whatever K is.
+// more passes and one read-back, or a read-back in each of eleven frames. Look-up: 4 texels, 2
+// bounds and 2 planes each, whatever K is.
 //
 // Fails: two clusters far apart in one texel (most planes lie in the gap); one split curve for the
 // whole map.
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "opacity/technique.hpp"
+#include "techniques/split_search.hpp"
 
 namespace opacity::techniques {
 
@@ -48,11 +50,21 @@ class BoundingOpacityMaps : public Technique {
                               0.5,
                               {0.0, 1.0},
                               "Of the hybrid split: 0 is linear, 1 is logarithmic."};
+    Choice similarity{*this,
+                      "similarity",
+                      {"error", "absolute_difference", "correlation", "paper_absolute_difference",
+                       "paper_correlation"},
+                      "What the search judges a ratio by: error takes the least RMSE of T; "
+                      "absolute_difference the largest smallest difference of neighbouring layers, "
+                      "as opacity; correlation their least mean correlation. The paper_ forms are "
+                      "those of the thesis, on optical depth at 8 bits, and prefer ratio 1."};
+    IntChoice search_frames{*this,
+                            "search_frames",
+                            {1, 11},
+                            "Frames that a search takes: 1 tries all ratios on one histogram, 11 "
+                            "draws one ratio a frame, as the thesis does."};
 
    private:
-    struct Bounds {
-        Texture &start, &end;
-    };
     // K planes of [0, 1], and their number, as lib/planes.glsl reads them.
     struct Planes {
         const Source& layers;
@@ -65,8 +77,8 @@ class BoundingOpacityMaps : public Technique {
     // of 4 x 4 texels in every `block_stride`, both ways.
     Texture& add_layers(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
                         const std::string& name, const Planes& planes, int block_stride = 1) const;
-    void add_search(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
-                    Value<std::vector<float>>& planes) const;
+    DrawnLayers add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
+                              const Bounds& bounds) const;
 
     UniformSet search_request_{"needs_recompute"};
 };

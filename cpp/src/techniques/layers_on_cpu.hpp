@@ -1,5 +1,5 @@
-// Opacity layers between two depths of each texel, without OpenGL: what a technique's GLSL says with
-// lib/planes.glsl, for Pass::on_cpu and LookUp::on_cpu.
+// Opacity layers between two depths of each texel, without OpenGL: what a technique's GLSL says
+// with lib/planes.glsl, for Pass::on_cpu and LookUp::on_cpu.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,8 @@ using OnCpu = std::function<void(PassContext&)>;
 OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
 OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
 
-// Cumulative optical depth at planes between start and end: plane 4 t + c + 1 is channel c of layer t
-// of `map`.
+// Cumulative optical depth at planes between start and end: plane 4 t + c + 1 is channel c of layer
+// t of `map`.
 struct LayersInMap {
     Texture &start, &end, &map;
     Value<std::vector<float>>& planes;

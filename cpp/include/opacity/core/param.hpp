@@ -66,6 +66,7 @@ class Choice : public ParamBase {
 
     const std::string& get() const noexcept { return choices_[index_]; }
     bool is(std::string_view choice) const noexcept { return get() == choice; }
+    std::size_t index() const noexcept { return index_; }
     std::string type() const override { return "choice"; }
     std::string range() const override;
     ParamValue value() const override { return get(); }
@@ -75,6 +76,25 @@ class Choice : public ParamBase {
 
    private:
     std::vector<std::string> choices_;  // the default first
+    std::size_t index_ = 0;
+};
+
+// One of several whole numbers.
+class IntChoice : public ParamBase {
+   public:
+    IntChoice(ParamOwner& owner, std::string name, std::vector<int> choices, std::string doc)
+        : ParamBase{owner, std::move(name), std::move(doc)}, choices_{std::move(choices)} {}
+
+    int get() const noexcept { return choices_[index_]; }
+    std::string type() const override { return "int"; }
+    std::string range() const override;
+    ParamValue value() const override { return std::int64_t{get()}; }
+    ParamValue default_value() const override { return std::int64_t{choices_.front()}; }
+    void assign(const ParamValue& value) override;
+    void feed(Feeder& feeder) const override { feeder.uniform("u_" + name(), get()); }
+
+   private:
+    std::vector<int> choices_;  // the default first
     std::size_t index_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -65,8 +66,10 @@ class Value : public Source {
         value_ = std::move(value);
         touch();
     }
-    void feed(Feeder& feeder) const override {
-        feeder.uniform("u_" + shader_name(), UniformValue{value_});
+    // What no uniform can hold stays on the CPU.
+    void feed([[maybe_unused]] Feeder& feeder) const override {
+        if constexpr (std::is_constructible_v<UniformValue, const T&>)
+            feeder.uniform("u_" + shader_name(), UniformValue{value_});
     }
 
    private:

@@ -1,0 +1,16 @@
+// What K layers cost: the error of T that a look-up in them makes, estimated from fine profiles.
+#pragma once
+
+#include "opacity/core/optical_depth_profiles.hpp"
+
+namespace opacity {
+
+// How well the layers rebuild the fine profiles of the same texels for receivers that lie where
+// casters are: the RMSE of T that the look-up finds at the middle of each fine cell, and on the
+// last caster, against T in front of it; weighted by optical depth. No receiver counts itself, or
+// what is nearer than its bias; between two planes the look-up interpolates, on a ramp that does
+// count a part of the receiver. With `own_correction` it takes that part away. Sums in float64.
+double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
+                   bool own_correction = false);
+
+}  // namespace opacity

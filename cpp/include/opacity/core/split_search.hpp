@@ -1,0 +1,45 @@
+// Which split ratio serves best (thesis, section 5.2.3): eleven trials, 0, .1, .. 1, each scored by
+// the optical depth that its K layers hold.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "opacity/core/optical_depth_profiles.hpp"
+
+namespace opacity {
+
+// What the layers of a trial are judged by. The measures of the thesis compare neighbouring layers:
+// each new one shall tell something new. On cumulative optical depth, as in the thesis, the sum of
+// absolute differences telescopes to (last - first) and C falls with it, so that ratio 1 wins on
+// nearly everything (paper_ forms). The others see opacity images 1 - exp(-Omega) of covered
+// texels, with the empty layer 0 at the start plane.
+enum class Similarity {
+    error,                      // split_error
+    absolute_difference,        // the largest smallest sum between neighbours
+    correlation,                // the least mean C of neighbours
+    paper_absolute_difference,  // the largest sum over all neighbours, all texels, 8 bits
+    paper_correlation,          // the least mean C of neighbours, all texels, 8 bits
+};
+
+struct SplitMeasure {
+    Similarity similarity = Similarity::error;
+    bool own_correction = false;  // of `error`: the look-up leaves the receiver's own ramp out
+};
+
+// The score of a trial: the least is the best. `fine` counts for `error` alone.
+double split_score(const SplitMeasure& measure, const OpticalDepthProfiles& layers,
+                   const FineProfiles& fine);
+
+// The ratios of the trials.
+constexpr int split_trials = 11;
+constexpr double trial_ratio(std::size_t trial) {
+    return double(trial) / (split_trials - 1);
+}
+// The trial with the least score; the first of equals.
+std::size_t best_trial(std::span<const double> scores);
+// The best of all trials, with layers rebinned from the fine profiles.
+std::size_t find_split_trial(const FineProfiles& fine, int layers,
+                             const SplitMeasure& measure = {});
+
+}  // namespace opacity

@@ -1,0 +1,65 @@
+// The passes that find the split ratio of a technique with layers (thesis, algorithm 5.2.3.1):
+// eleven trials in one frame, rebinned from one fine histogram, or one a frame, as in the thesis.
+// What a search has found so far is a value of the graph.
+#pragma once
+
+#include <vector>
+
+#include "opacity/core/split_search.hpp"
+#include "opacity/technique.hpp"
+
+namespace opacity::techniques {
+
+// The histogram has so many cells: fine near the light, where a logarithmic split puts its planes,
+// and fine enough behind; at a ratio between two trials, since one whose planes fall on those of
+// the cells looks better than it is. Larger maps have texels enough to take fewer cells.
+constexpr double fine_ratio = 0.45;
+int fine_layer_count(int map_size_px);
+
+// It holds one block of 4 x 4 texels in so many, both ways.
+int block_stride(int map_size_px);
+
+// Depths of the first and the last caster of each texel.
+struct Bounds {
+    Texture &start, &end;
+};
+
+// Layers in an array texture, the planes that they lie at, and the bounds that these lie between.
+struct DrawnLayers {
+    Texture& map;
+    Value<std::vector<float>>& planes;
+    Bounds bounds;
+};
+
+// What a search is told: how many layers, by which measure, with which bias T is looked up, and
+// when to search again.
+struct SplitSearch {
+    const Param<int>& layers;
+    const Choice& similarity;  // in the order of Similarity
+    const AutoParam<double>& bias;
+    const Param<bool>& own_correction;
+    const Source& request;
+
+    SplitMeasure measure(const ShadowInputs& inputs) const {
+        return {Similarity(similarity.index()), own_correction.get() && !inputs.paper_deposit};
+    }
+
+    // One frame: sets `planes` to those of the best ratio.
+    void add_at_once(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& histogram,
+                     Value<std::vector<float>>& planes) const;
+
+    // Eleven frames: the first call lays the planes of this frame's trial, or after the last trial
+    // those of the best; the second scores the layers that were drawn at them, for `error`
+    // against the fine ones. The look-up reads what it returns, so that a frame needs its trial.
+    struct Trials {
+        Value<std::vector<double>>& scores;      // of the trials so far
+        Value<std::vector<Revision>>& searched;  // what they are made for
+        Value<Revision>& opaque;                 // the opaque casters before which they are made
+    };
+    Trials begin_trial(FrameGraph& graph, const ShadowInputs& inputs,
+                       Value<std::vector<float>>& planes) const;
+    const Source& add_trial(FrameGraph& graph, const ShadowInputs& inputs, const Trials& trials,
+                            const DrawnLayers& drawn, const DrawnLayers& fine) const;
+};
+
+}  // namespace opacity::techniques
