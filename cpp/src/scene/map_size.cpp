@@ -14,30 +14,34 @@ namespace {
 constexpr int smallest_px = 64, largest_px = 4096, step_px = 32;
 constexpr int without_strands_px = 512;
 
-// A box in so many cells along each side, of which some hold points.
+// A box in cells, of which some hold points: so many cells that one within the strands holds a
+// dozen points, and is wider than the space between strands.
 class Occupancy {
    public:
-    explicit Occupancy(const Box& box) : box_{box}, cells_(cells * cells * cells, false) {}
+    Occupancy(const Box& box, std::size_t points)
+        : box_{box},
+          cells_{std::clamp<std::size_t>(std::size_t(std::cbrt(double(points) / 16.0)), 1, 32)},
+          held_(cells_ * cells_ * cells_, false) {}
     void add(const double3& p) {
         std::size_t index = 0;
         for (int axis = 0; axis < 3; ++axis) {
             const double extent = box_.max[axis] - box_.min[axis];
             const double part = extent > 0.0 ? (p[axis] - box_.min[axis]) / extent : 0.0;
-            index =
-                index * cells + std::clamp<std::size_t>(std::size_t(part * cells), 0, cells - 1);
+            const double cell = std::clamp(part * double(cells_), 0.0, double(cells_ - 1));
+            index = index * cells_ + std::size_t(cell);
         }
-        cells_[index] = true;
+        held_[index] = true;
     }
     double volume() const {
         const double cell = (box_.max[0] - box_.min[0]) * (box_.max[1] - box_.min[1]) *
-                            (box_.max[2] - box_.min[2]) / double(cells_.size());
-        return cell * double(std::count(cells_.begin(), cells_.end(), true));
+                            (box_.max[2] - box_.min[2]) / double(held_.size());
+        return cell * double(std::count(held_.begin(), held_.end(), true));
     }
 
    private:
-    static constexpr std::size_t cells = 32;
     Box box_;
-    std::vector<bool> cells_;
+    std::size_t cells_;
+    std::vector<bool> held_;
 };
 
 double distance(const double3& a, const double3& b) {
@@ -69,13 +73,15 @@ std::string reason(const char* what, double texel) {
 MapSizeRule::Spacing MapSizeRule::measure(const Scene& scene) {
     Box box;
     double length = 0.0;
+    std::size_t segments = 0;
     for_each_segment(scene, [&](const double3& a, const double3& b) {
         box.extend(a);
         box.extend(b);
         length += distance(a, b);
+        ++segments;
     });
     if (!(length > 0.0)) return {};
-    Occupancy occupancy{box};
+    Occupancy occupancy{box, segments};
     for_each_segment(scene, [&](const double3& a, const double3& b) {
         occupancy.add(a);
         occupancy.add(b);
