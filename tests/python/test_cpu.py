@@ -1,5 +1,6 @@
 """The maps in C++: the same conventions as the shaders, and no OpenGL at all."""
 
+import concurrent.futures
 import json
 import pathlib
 from collections.abc import Callable
@@ -173,6 +174,16 @@ def test_runs_what_has_moved_and_no_more() -> None:
         kept = renderer.transmittance(scene.shapes[0])
         renderer.invalidate()
         assert (renderer.transmittance(scene.shapes[0]) == kept).all()  # skipped equals forced
+
+
+def test_threads_take_turns() -> None:
+    scene = tufts()
+    with po.Renderer(scene, device="cpu", map_size=64) as renderer:
+        expected = [renderer.transmittance(shape) for shape in scene.shapes]
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            asked = [pool.submit(renderer.transmittance, scene.shapes[i % 2]) for i in range(40)]
+            for i, answer in enumerate(asked):
+                assert (answer.result() == expected[i % 2]).all()
 
 
 def test_an_empty_scene_is_lit() -> None:

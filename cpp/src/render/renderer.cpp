@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <mutex>
 
 #include "opacity/core/error.hpp"
 #include "render/cpu_device.hpp"
@@ -16,6 +17,7 @@ struct Renderer::Impl {
     Camera camera;
     std::shared_ptr<Technique> technique;
     std::shared_ptr<gl::Context> context;  // none: on the CPU
+    std::mutex busy;
     RenderSettings settings;
     float4 background{0.f, 0.f, 0.f, 0.f};
     std::int64_t most_texels = 0;  // along a side of a texture
@@ -30,7 +32,7 @@ struct Renderer::Impl {
         if (!scene)
             throw ParameterError("the renderer got no scene", "pass a Scene; an empty one will do");
         if (!technique) technique = make_technique("bounding_opacity_maps");
-        const auto use = current();
+        const Turn now = turn();
         if (context) {
             for (const auto& [name, limit] : context->limits())
                 if (name == "texture size") most_texels = limit;
@@ -41,9 +43,14 @@ struct Renderer::Impl {
         frame = std::make_unique<render::Frame>(*device);
     }
 
-    // Makes the context current, if there is one, as long as the result lives.
-    std::unique_ptr<gl::Context::Use> current() const {
-        return context ? std::make_unique<gl::Context::Use>(*context) : nullptr;
+    // As long as it lives, the context is current; on the CPU, other threads wait.
+    struct Turn {
+        std::unique_ptr<gl::Context::Use> use;
+        std::unique_lock<std::mutex> lock;
+    };
+    Turn turn() {
+        if (context) return {std::make_unique<gl::Context::Use>(*context), {}};
+        return {nullptr, std::unique_lock{busy}};
     }
 
     gl::Context& require_context() const {
@@ -56,7 +63,7 @@ struct Renderer::Impl {
     render::FrameInputs inputs() const { return {*scene, camera, technique, settings, background}; }
 
     std::vector<float> transmittance(const Query& query) {
-        const auto use = current();
+        const Turn now = turn();
         return frame->transmittance(inputs(), query);
     }
 
@@ -205,7 +212,7 @@ void Renderer::needs_recompute() {
 }
 
 TextureContent Renderer::read(const std::string& name) const {
-    const auto use = impl_->current();
+    const auto now = impl_->turn();
     const Texture& texture = impl_->frame->graph().find(name);
     const TextureDesc& desc = texture.desc();
     const int scale = content_scale(desc);
