@@ -32,9 +32,10 @@ Receiver receiver() {
     receiver.width_texels = v_own_width_texels;
     receiver.direction = v_own_direction;
     receiver.ends = v_own_ends;
-#else
-    receiver.direction = vec3(surface_slope(dFdx(v_p_ls), dFdy(v_p_ls)), 0.0);
 #endif
+#endif
+#ifdef MESH
+    receiver.direction = vec3(surface_slope(dFdx(v_p_ls), dFdy(v_p_ls)), 0.0);
 #endif
     return receiver;
 }

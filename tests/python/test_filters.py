@@ -175,3 +175,33 @@ def test_the_widest_filter_is_64_texels() -> None:
     wide = half_covered(0.6, filter_width=1e9)
     assert np.isfinite(wide).all()
     assert wide == pytest.approx(half_covered(0.6, filter_radius=32.0), abs=1e-6)
+
+
+@pytest.mark.parametrize("kernel", ["box", "bartlett", "gaussian", "pcf"])
+@pytest.mark.parametrize("opacity", [1.0, 0.5])
+@pytest.mark.parametrize("name", ["exact", "bounding_opacity_maps"])
+def test_a_leaning_plane_does_not_shadow_itself(name: str, kernel: str, opacity: float) -> None:
+    u, v = (a.ravel() for a in np.meshgrid(np.linspace(-1, 1, 9), np.linspace(-1, 1, 9)))
+    plane = np.stack([u, v, 0.8 * u - 0.5 * v], 1)
+    corner = np.arange(81).reshape(9, 9)
+    a, b, c, d = corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]
+    triangles = np.stack([a, b, c, a, c, d], -1).reshape(-1, 3)
+    mesh = po.Mesh(plane, triangles, opacity=opacity)
+    scene = po.Scene(mesh, po.DirectionalLight((0.1, 0.2, -1.0)))
+    for radius in (0.5, 0.87, 2.0, 9.5):
+        technique = po.technique(name, filter=kernel, filter_radius=radius)
+        assert (po.transmittance(scene, mesh, technique, 64) == 1.0).all()
+
+
+def test_a_lit_ground_stays_lit_in_the_picture(needs_gl: None) -> None:
+    """The same on the GPU, where the slope comes from the picture's own derivatives."""
+    ground = po.Mesh(
+        np.array([[-1.0, -1, 0], [1, -1, 0.7], [1, 1, 1.2], [-1, 1, 0.5]]),
+        np.array([[0, 1, 2], [0, 2, 3]]),
+    )
+    scene = po.Scene(ground, po.DirectionalLight((0.2, 0.4, -1.0)))
+    technique = po.technique("exact", filter="gaussian", filter_radius=5.0)
+    with po.Renderer(scene, size=(96, 64), technique=technique, map_size=64) as renderer:
+        picture = renderer.render()
+        renderer.technique = "unshadowed"
+        assert np.abs(picture - renderer.render()).max() < 1e-6

@@ -11,9 +11,9 @@ def lattice(spacing: float, width: float = 0.01, side: float = 8.0) -> po.Scene:
     at = np.arange(0.0, side, spacing)
     x, y = (a.ravel() for a in np.meshgrid(at, at))
     z = np.linspace(0.0, side, 17)
-    points = np.stack(
-        [np.repeat(x, z.size), np.repeat(y, z.size), np.tile(z, x.size)], 1
-    ).astype(np.float64)
+    points = np.stack([np.repeat(x, z.size), np.repeat(y, z.size), np.tile(z, x.size)], 1).astype(
+        np.float64
+    )
     offsets = np.arange(x.size + 1) * z.size
     strands = po.Strands(points, offsets, width=width, opacity=0.3)
     return po.Scene(strands, po.DirectionalLight((0.3, 0.2, -1.0)))

@@ -20,11 +20,21 @@ struct Taps {
     float optical_depth;  // weight times optical depth
 };
 
+// A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
+// of the receiver the margin of lib/surface.glsl takes care of; from two on the slope does.
+float depth_at(Receiver receiver, ivec2 texel, float depth) {
+    if (receiver.width_texels > 0.0) return depth;  // a strand has no plane
+    vec2 offset = vec2(texel) + 0.5 - receiver.p_ls.xy;
+    vec2 near = clamp(offset, -1.0, 1.0) * clamp(2.0 - abs(offset), 0.0, 1.0);
+    return depth + dot(limited_slope(receiver.direction.xy), offset - near);
+}
+
 // A map of up to three texels has no border: its outer texels stand for what lies beside them.
 // Elsewhere nothing casts outside.
 void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float weight) {
     if (u_light_map_size_px < 4) texel = clamp(texel, ivec2(0), ivec2(u_light_map_size_px - 1));
     taps.weight += weight;
+    depth = depth_at(receiver, texel, depth);
     float optical_depth = 0.0;
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
         if (texelFetch(t_opaque_depth, texel, 0).x < min(depth, 1.0)) return;

@@ -14,3 +14,9 @@ vec2 surface_slope(vec3 a, vec3 b) {
     vec3 normal = cross(a, b);
     return abs(normal.z) > 1e-20 ? -normal.xy / normal.z : vec2(1e20);
 }
+
+// No steeper than what the margin makes up for.
+vec2 limited_slope(vec2 slope) {
+    float steepness = abs(slope.x) + abs(slope.y), limit = largest_surface_margin();
+    return steepness > limit ? slope * (limit / steepness) : slope;
+}

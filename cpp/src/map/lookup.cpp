@@ -1,6 +1,25 @@
 #include "map/lookup.hpp"
 
+#include "map/surface.hpp"
+
 namespace opacity {
+namespace {
+
+// A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
+// of the receiver the margin of map/surface.hpp takes care of; from two on the slope does.
+float depth_at(const Receiver& receiver, int x, int y, float depth, const LightSpace& space) {
+    if (receiver.width_texels > 0.f) return depth;  // a strand has no plane
+    const auto slope = limited_slope({receiver.direction[0], receiver.direction[1]}, space);
+    const auto far = [&](int texel, int axis) {
+        const float offset = float(texel) + 0.5f - receiver.p_ls[axis];
+        const float near =
+            std::clamp(offset, -1.f, 1.f) * std::clamp(2.f - std::abs(offset), 0.f, 1.f);
+        return offset - near;
+    };
+    return depth + (slope[0] * far(x, 0) + slope[1] * far(y, 1));
+}
+
+}  // namespace
 
 // Sums over the taps of a look-up. Weights are divided by their sum, so that T = 1 stays 1 exactly.
 struct MapLookUp::Taps {
@@ -17,6 +36,7 @@ void MapLookUp::add_tap(Taps& taps, const Receiver& receiver, int x, int y, floa
     const int size_px = space_.map_size_px;
     if (size_px < 4) x = std::clamp(x, 0, size_px - 1), y = std::clamp(y, 0, size_px - 1);
     taps.weight += weight;
+    depth = depth_at(receiver, x, y, depth, space_);
     float optical_depth = 0.f;
     if (x >= 0 && y >= 0 && x < size_px && y < size_px) {
         const std::size_t texel = std::size_t(y) * size_px + x;

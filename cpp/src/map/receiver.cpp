@@ -51,7 +51,8 @@ void tell_strands(std::vector<Receiver>& list, const std::vector<double3>& p_ls,
 }
 
 // The slope of the triangles that meet at each vertex, by their normals' mean in light space.
-void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, const Mesh& mesh) {
+void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, const Mesh& mesh,
+               bool corrects) {
     std::vector<double3> normals(list.size());
     const auto& corners = mesh.triangles();
     for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
@@ -67,7 +68,7 @@ void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, co
         const double3 slope{-n[0] / n[2], -n[1] / n[2], 0.0};
         if (!(std::abs(slope[0]) + std::abs(slope[1]) < 1e18)) continue;
         list[i].direction = to_float(slope);
-        list[i].opacity = at_or_only(mesh.opacity(), i);
+        if (corrects) list[i].opacity = at_or_only(mesh.opacity(), i);
     }
 }
 
@@ -85,7 +86,7 @@ Query Query::at(const Shape& shape, const Scene& scene) {
     const bool is_in_maps =
         shape.is_caster() && !shape.opaque() &&
         std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return s.get() == &shape; });
-    return {std::move(on_shape.world_points), on_shape.strand_width, is_in_maps ? &shape : nullptr};
+    return {std::move(on_shape.world_points), on_shape.strand_width, &shape, is_in_maps};
 }
 
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
@@ -96,11 +97,13 @@ std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
         p_ls[i] = transform_point(space.from_world, query.world_points[i]);
         list[i].p_ls = to_float(p_ls[i]);
     }
-    if (!query.own || !own_correction) return list;
+    if (!query.own) return list;
     const auto lock = query.own->lock();
-    if (const auto* strands = dynamic_cast<const Strands*>(query.own))
-        tell_strands(list, p_ls, *strands, space.texels_per_unit);
-    if (const auto* mesh = dynamic_cast<const Mesh*>(query.own)) tell_mesh(list, p_ls, *mesh);
+    const bool corrects = own_correction && query.is_in_maps;
+    const auto* strands = dynamic_cast<const Strands*>(query.own);
+    if (strands && corrects) tell_strands(list, p_ls, *strands, space.texels_per_unit);
+    if (const auto* mesh = dynamic_cast<const Mesh*>(query.own))
+        tell_mesh(list, p_ls, *mesh, corrects);
     return list;
 }
 

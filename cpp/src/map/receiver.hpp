@@ -23,7 +23,8 @@ static_assert(sizeof(Receiver) == 12 * sizeof(float));
 struct Query {
     Positions world_points;
     double width = 0.0;          // of the strands there, in world units, for the automatic bias
-    const Shape* own = nullptr;  // the points are this shape's, which lies in the opacity maps
+    const Shape* own = nullptr;  // the points are this shape's
+    bool is_in_maps = false;     // which lies in the opacity maps
 
     static Query at(Positions world_points, const Scene& scene);
     static Query at(const Shape& shape, const Scene& scene);

@@ -20,4 +20,13 @@ inline float surface_margin(const std::array<float, 2>& slope, const LightSpace&
     return std::min(std::abs(slope[0]) + std::abs(slope[1]), largest_surface_margin(space));
 }
 
+// No steeper than what the margin makes up for.
+inline std::array<float, 2> limited_slope(const std::array<float, 2>& slope,
+                                          const LightSpace& space) {
+    const float steepness = std::abs(slope[0]) + std::abs(slope[1]);
+    const float limit = largest_surface_margin(space);
+    if (!(steepness > limit)) return slope;
+    return {slope[0] * (limit / steepness), slope[1] * (limit / steepness)};
+}
+
 }  // namespace opacity
