@@ -81,11 +81,12 @@ Taps filtered_taps(Receiver receiver, float depth) {
 float shadow_transmittance(Receiver receiver) {
     float bias = u_bias < 0.0 ? max(receiver.width, u_light_least_bias) : u_bias;
     float depth = receiver.p_ls.z - bias / u_light_depth_range;
-    // Also false for a coordinate that is not finite: T = 1, never NaN.
+    // Also false for a coordinate that is not finite: T = 1, never NaN. Not precise, a compiler may turn
+    // the comparisons round, and NaN passes.
     float reach = largest_filter_radius + 1.0;
-    if (!(depth > 0.0 && all(greaterThan(receiver.p_ls.xy, vec2(-reach))) &&
-          all(lessThan(receiver.p_ls.xy, vec2(float(u_light_map_size_px) + reach)))))
-        return 1.0;
+    precise bool is_near = depth > 0.0 && all(greaterThan(receiver.p_ls.xy, vec2(-reach))) &&
+                           all(lessThan(receiver.p_ls.xy, vec2(float(u_light_map_size_px) + reach)));
+    if (!is_near) return 1.0;
     Taps taps = filtered_taps(receiver, depth);
 #ifdef DENSITY_FILTER
     // The density interpretation (Jansen and Bavoil 2010, section 6), of what no opaque caster hides.
