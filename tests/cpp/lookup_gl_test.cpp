@@ -15,6 +15,7 @@ using harness::Evaluator;
 using harness::Random;
 using harness::Row;
 using harness::Table;
+using harness::check_agreement;
 
 namespace {
 
@@ -107,9 +108,6 @@ Table receivers(int size_px, int count) {
     return rows;
 }
 
-// T of each row on one side.
-using LookUp = std::function<Table(const Table&)>;
-
 class BothSides {
    public:
     BothSides(const std::shared_ptr<gl::Context>& context, const Setup& setup)
@@ -191,7 +189,7 @@ TEST_CASE("a look-up gives the same T in GLSL and C++, whatever the filter") {
             REQUIRE((found[i][0] >= 0.f && found[i][0] <= 1.f));
             between += cpp > 0.f && cpp < 1.f;
         }
-        CHECK(between > 500);
+        CHECK(between > 300);
     }
 }
 
