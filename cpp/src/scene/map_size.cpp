@@ -14,23 +14,22 @@ namespace {
 constexpr int smallest_px = 64, largest_px = 4096, step_px = 32;
 constexpr int without_strands_px = 512;
 
-// A box in cells, of which some hold points: so many cells that one within the strands holds a
-// dozen points, and is wider than the space between strands.
+// A box in cells, of which segments pass some: so many cells that one within the strands holds a
+// dozen segments, and is wider than the space between strands.
 class Occupancy {
    public:
-    Occupancy(const Box& box, std::size_t points)
+    Occupancy(const Box& box, std::size_t segments)
         : box_{box},
-          cells_{std::clamp<std::size_t>(std::size_t(std::cbrt(double(points) / 16.0)), 1, 32)},
+          cells_{std::clamp<std::size_t>(std::size_t(std::cbrt(double(segments) / 16.0)), 1, 32)},
           held_(cells_ * cells_ * cells_, false) {}
-    void add(const double3& p) {
-        std::size_t index = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double extent = box_.max[axis] - box_.min[axis];
-            const double part = extent > 0.0 ? (p[axis] - box_.min[axis]) / extent : 0.0;
-            const double cell = std::clamp(part * double(cells_), 0.0, double(cells_ - 1));
-            index = index * cells_ + std::size_t(cell);
-        }
-        held_[index] = true;
+    // In steps of a cell at most, so that a strand of few segments fills as much as one of many.
+    void add(const double3& a, const double3& b) {
+        const double3 from = place(a), to = place(b);
+        double longest = 1.0;
+        for (int axis = 0; axis < 3; ++axis)
+            longest = std::max(longest, std::abs(to[axis] - from[axis]));
+        const int steps = int(std::ceil(longest));
+        for (int step = 0; step <= steps; ++step) mark(from, to, double(step) / steps);
     }
     double volume() const {
         const double cell = (box_.max[0] - box_.min[0]) * (box_.max[1] - box_.min[1]) *
@@ -39,6 +38,23 @@ class Occupancy {
     }
 
    private:
+    // In cells.
+    double3 place(const double3& p) const {
+        double3 result{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double extent = box_.max[axis] - box_.min[axis];
+            if (extent > 0.0) result[axis] = (p[axis] - box_.min[axis]) / extent * double(cells_);
+        }
+        return result;
+    }
+    void mark(const double3& from, const double3& to, double along) {
+        std::size_t index = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double cell = from[axis] + along * (to[axis] - from[axis]);
+            index = index * cells_ + std::size_t(std::clamp(cell, 0.0, double(cells_ - 1)));
+        }
+        held_[index] = true;
+    }
     Box box_;
     std::size_t cells_;
     std::vector<bool> held_;
@@ -82,10 +98,7 @@ MapSizeRule::Spacing MapSizeRule::measure(const Scene& scene) {
     });
     if (!(length > 0.0)) return {};
     Occupancy occupancy{box, segments};
-    for_each_segment(scene, [&](const double3& a, const double3& b) {
-        occupancy.add(a);
-        occupancy.add(b);
-    });
+    for_each_segment(scene, [&](const double3& a, const double3& b) { occupancy.add(a, b); });
     return {std::sqrt(occupancy.volume() / length), mean_strand_width(scene.shapes())};
 }
 
