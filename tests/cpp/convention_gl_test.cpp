@@ -17,11 +17,11 @@
 #include "opacity/core/split.hpp"
 
 using namespace opacity;
+using harness::check_agreement;
 using harness::Evaluator;
 using harness::Random;
 using harness::Row;
 using harness::Table;
-using harness::check_agreement;
 
 namespace {
 
@@ -129,9 +129,9 @@ void set_space(Evaluator& evaluator, const LightSpace& space) {
 TEST_CASE("opacity to optical depth is the same in GLSL and C++, relative to its size") {
     const auto context = context_or_skip();
     if (!context) return;
-    Evaluator evaluator{context,
-                        {"#include \"lib/opacity.glsl\"\n", 1, 1,
-                         "result(0) = optical_depth_of(given(0));"}};
+    Evaluator evaluator{
+        context,
+        {"#include \"lib/opacity.glsl\"\n", 1, 1, "result(0) = optical_depth_of(given(0));"}};
     Random random;
     Table given{{0.f}, {1.f}, {2.f}, {-1.f}, {0.5f}, {std::nextafter(0.5f, 0.f)}};
     for (float rest = 0.5f; rest >= 1.f / 16777216.f; rest *= 0.5f) given.push_back({1.f - rest});
@@ -172,8 +172,7 @@ TEST_CASE("line coverage is the same in GLSL and C++") {
     const Table given = segment_rows(4000), found = evaluator(given);
     check_agreement(given, found, [](const Row& row) {
         const MajorSegment s = segment_of(row);
-        return coverage_row(
-            line_coverage(s, s.steep ? row[9] : row[8], s.steep ? row[8] : row[9]));
+        return coverage_row(line_coverage(s, s.steep ? row[9] : row[8], s.steep ? row[8] : row[9]));
     });
     CHECK(part_covered(found) > 0.02);
 }
@@ -288,9 +287,9 @@ TEST_CASE("a surface's margin is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
     const LightSpace space = some_space();
-    Evaluator evaluator{context,
-                        {"#include \"lib/surface.glsl\"\n", 2, 1,
-                         "result(0) = surface_margin(given2(0));"}};
+    Evaluator evaluator{
+        context,
+        {"#include \"lib/surface.glsl\"\n", 2, 1, "result(0) = surface_margin(given2(0));"}};
     set_space(evaluator, space);
     Random random;
     Table given{{0, 0}, {1e20f, 1e20f}, {-1e20f, 0}, {largest_surface_margin(space), 0}};
@@ -329,11 +328,10 @@ TEST_CASE("the slope of a triangle gives it the same margin in GLSL and C++") {
         const double x = (double(e[2]) * e[4] - double(e[1]) * e[5]) / determinant;
         const double y = (double(e[0]) * e[5] - double(e[2]) * e[3]) / determinant;
         float margin = surface_margin({float(x), float(y)}, space);
-        triangle_texels({{{16, 16, 0, 0},
-                          {16 + e[0], 16 + e[1], e[2], 0},
-                          {16 + e[3], 16 + e[4], e[5], 0}}},
-                        space, {0, space.map_size_px},
-                        [&](const TriangleTexel& texel) { margin = texel.margin; });
+        triangle_texels(
+            {{{16, 16, 0, 0}, {16 + e[0], 16 + e[1], e[2], 0}, {16 + e[3], 16 + e[4], e[5], 0}}},
+            space, {0, space.map_size_px},
+            [&](const TriangleTexel& texel) { margin = texel.margin; });
         return Row{float(x), float(y), margin};
     };
     check_agreement(given, evaluator(given), expected);

@@ -107,7 +107,8 @@ TEST_CASE("without OpenGL a scene without casters, or without a light, lets all 
         return std::ranges::all_of(t, [](float v) { return v == 1.f; });
     };
     for (const std::string& name : technique_names()) {
-        CHECK(one(cpu_renderer(scene_of({}, DirectionalLight{}), make_technique(name)).transmittance(some_points())));
+        CHECK(one(cpu_renderer(scene_of({}, DirectionalLight{}), make_technique(name))
+                      .transmittance(some_points())));
         const auto dark = std::make_shared<Scene>();
         dark->add(square(1, 1, 0.5f, {1, 1, 1}));
         CHECK(one(cpu_renderer(dark, make_technique(name)).transmittance(some_points())));
@@ -214,8 +215,8 @@ TEST_CASE("without OpenGL the same question has the same bits for an answer") {
     const auto scene = hairy_scene();
     for (const std::string& name : technique_names()) {
         CAPTURE(name);
-        const std::vector<float> points = cpu_renderer(scene, make_technique(name))
-                                              .transmittance(some_points());
+        const std::vector<float> points =
+            cpu_renderer(scene, make_technique(name)).transmittance(some_points());
         Renderer renderer = cpu_renderer(scene, make_technique(name));
         for (int again = 0; again < 4; ++again) {
             CHECK(renderer.transmittance(some_points()) == points);

@@ -98,8 +98,8 @@ double slope_per_texel(double slope) {
 
 TEST_CASE("a straight strand left in the map what its receivers take out again") {
     // On a grid, where light space has no roundings, and segments end between columns.
-    for (const auto& [dx, dy] : {std::pair{0.5, 0.0}, {0.0, 0.5}, {0.5, 0.25}, {-0.25, 0.5},
-                                 {0.5, 0.5}, {-0.5, -0.25}})
+    for (const auto& [dx, dy] :
+         {std::pair{0.5, 0.0}, {0.0, 0.5}, {0.5, 0.25}, {-0.25, 0.5}, {0.5, 0.5}, {-0.5, -0.25}})
         for (const float width : {0.03125f, 0.0625f, 0.5f}) {
             CAPTURE(dx);
             CAPTURE(dy);
@@ -114,8 +114,8 @@ TEST_CASE("a straight strand left in the map what its receivers take out again")
             CHECK(own_error(strand(xyz, width, {0.9f}), &depth_error) < 1e-6);
             CHECK(depth_error < 1e-6);
         }
-    // Anyhow: to the roundings of coordinates near 64, 4e-6 each. A segment that ends in a column has
-    // its depth at the end there, up to half a texel beside the middle.
+    // Anyhow: to the roundings of coordinates near 64, 4e-6 each. A segment that ends in a column
+    // has its depth at the end there, up to half a texel beside the middle.
     for (int i = 0; i < 40; ++i) {
         const double angle = 0.157 * i;
         std::vector<double> xyz;
@@ -164,9 +164,8 @@ TEST_CASE("strands of one list do not run into each other") {
 }
 
 TEST_CASE("what has no direction across the light corrects nothing, and is no NaN") {
-    for (const auto& shape :
-         {strand({1, 1, 1}), strand({1, 1, 1, 1, 1, 1, 1, 1, 1}), strand({0, 0, 0, 0, 0, 3}),
-          strand({1e18, 0, 0, 1e18, 0, 0})}) {
+    for (const auto& shape : {strand({1, 1, 1}), strand({1, 1, 1, 1, 1, 1, 1, 1, 1}),
+                              strand({0, 0, 0, 0, 0, 3}), strand({1e18, 0, 0, 1e18, 0, 0})}) {
         const std::vector<Receiver> list = receivers_on(shape);
         check_finite(list);
         for (const Receiver& r : list) {
@@ -225,7 +224,8 @@ TEST_CASE("only who casts into the opacity maps has something to take out") {
     const auto silent = strand(xyz);
     silent->set_casts(false);
     const auto opaque = mesh({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2}, {1.f});
-    for (const ShapePtr& shape : {ShapePtr{silent}, ShapePtr{opaque}, ShapePtr{strand(xyz, 0.1f, {0.f})}})
+    for (const ShapePtr& shape :
+         {ShapePtr{silent}, ShapePtr{opaque}, ShapePtr{strand(xyz, 0.1f, {0.f})}})
         for (const Receiver& r : receivers_on(shape)) CHECK(r.opacity == 0.f);
     for (const Receiver& r : receivers_on(strand(xyz), false)) CHECK(r.opacity == 0.f);
     const auto absent = strand(xyz);

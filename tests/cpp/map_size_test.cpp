@@ -110,9 +110,9 @@ TEST_CASE("without strands that cast, a map has 512 texels along a side") {
     const auto silent = strands_of({.count = 3}), clear = strands_of({.count = 3});
     silent->set_casts(false);
     clear->set_opacity({0.f});
-    const ShapePtr surface = std::make_shared<Mesh>(
-        Positions{std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}},
-        std::vector<std::uint32_t>{0, 1, 2});
+    const ShapePtr surface =
+        std::make_shared<Mesh>(Positions{std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0}},
+                               std::vector<std::uint32_t>{0, 1, 2});
     for (const Scene& scene :
          {Scene{}, scene_of({surface}), scene_of({silent}), scene_of({clear})}) {
         MapSizeRule rule;

@@ -30,8 +30,8 @@ LightSpace plain_space() {
     space.map_size_px = size_px;
     space.depth_range = 10.0;
     space.texels_per_unit = size_px / 10.0;
-    space.from_world = {space.texels_per_unit, 0, 0, 64, 0, space.texels_per_unit, 0, 64,
-                        0,                     0, .1, .5, 0, 0, 0, 1};
+    space.from_world = {
+        space.texels_per_unit, 0, 0, 64, 0, space.texels_per_unit, 0, 64, 0, 0, .1, .5, 0, 0, 0, 1};
     return space;
 }
 
@@ -56,7 +56,8 @@ ShapePtr straight(double angle, double length, double width, int parts, float op
     std::vector<double> xyz;
     for (int i = 0; i <= parts; ++i) {
         const double along = length * (double(i) / parts - 0.47);
-        xyz.insert(xyz.end(), {along * std::cos(angle) + 0.013, along * std::sin(angle), 3.0 * i / parts});
+        xyz.insert(xyz.end(),
+                   {along * std::cos(angle) + 0.013, along * std::sin(angle), 3.0 * i / parts});
     }
     return strand(std::move(xyz), {float(width)}, {opacity});
 }
