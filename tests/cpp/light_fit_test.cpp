@@ -230,7 +230,7 @@ TEST_CASE("a wide ground that only receives takes no texel from the casters") {
     CHECK(grounded.depth_range() == alone.depth_range());
 }
 
-TEST_CASE("casters that no receiver can see leave the map; those in front of one stay") {
+TEST_CASE("casters that no receiver can see leave the map, and those in front of one stay") {
     const auto hair = tuft({0, 0, 0}), beside = tuft({100, 0, 0}, 2), behind = tuft({0, 0, -50}, 3),
                in_front = tuft({0, 0, 50}, 4);
     for (const auto& caster : {beside, behind, in_front}) caster->set_receives(false);

@@ -262,7 +262,7 @@ TEST_CASE("each material in use is a mesh with its colour and opacity") {
     CHECK(result[4]->opaque());
 }
 
-TEST_CASE("a missing .mtl leaves a grey model; one outside the folder is not opened") {
+TEST_CASE("a missing .mtl leaves a grey model, and one outside the folder is not opened") {
     const ScratchFolder folder;
     std::filesystem::create_directory(folder.file("inner"));
     folder.write("m.mtl", "newmtl red\nKd 1 0 0\n");

@@ -260,7 +260,7 @@ TEST_CASE("a square has the colour of Blinn's formula in every pixel, and no sha
         }
 }
 
-TEST_CASE("a white square that faces light and camera is 1.37 at its centre; T dims it") {
+TEST_CASE("a white square that faces light and camera is 1.37 at its centre, and T dims it") {
     if (!context_or_skip()) return;
     const Camera camera = Camera::look_at({0, 0, 2}, {0, 0, 0}, {0, 1, 0});
     const auto value_under = [&](float opacity, const std::string& technique) {

@@ -202,7 +202,7 @@ TEST_CASE("a transform is affine, finite and invertible, whatever its units") {
     CHECK(strands.scale() == Approx(1.0));
 }
 
-TEST_CASE("opaque means opacity 1 everywhere; opacity 0 everywhere casts nothing") {
+TEST_CASE("opaque means opacity 1 everywhere, and opacity 0 everywhere casts nothing") {
     Mesh mesh = square();
     CHECK(mesh.opaque());
     mesh.set_opacity({1, 1, 1, std::nextafter(1.f, 0.f)});

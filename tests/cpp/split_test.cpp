@@ -21,7 +21,7 @@ TEST_CASE("the split curve runs from 0 to 1, rises strictly, and its inverse inv
     }
 }
 
-TEST_CASE("linear planes are even; logarithmic ones match 2^(8 k / K)") {
+TEST_CASE("linear planes are even, and logarithmic ones match 2^(8 k / K)") {
     for (int layers : {1, 2, 3, 16, 64}) {
         const std::vector<float> linear = layer_planes(layers, 0.0),
                                  log = layer_planes(layers, 1.0);
