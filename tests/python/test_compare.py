@@ -26,6 +26,7 @@ SMALL: dict[str, Any] = {
     "image_samples": 2,
     "repeats": 1,
 }
+NO_OPENGL = "/nonexistent/libEGL.so.1"
 FLAGS = ("--receivers", "300", "--samples", "16", "--image-size", "48x36", "--image-samples", "2")
 
 
@@ -257,6 +258,8 @@ def test_file_names_in_the_page_are_harmless(run: Run, tmp_path: pathlib.Path) -
         ((DEMO, "-o", "out", "--layers", "4000"), "1..64"),
         ((DEMO, "-o", "out", "--map-size", "512,"), "--map-size"),
         ((DEMO, "-o", "out", "--map-size", "99999"), "1..16384"),
+        ((DEMO, "-o", "out", "--map-size", "512,atuo"), "--map-size"),
+        ((DEMO, "-o", "out", "--device", "tpu"), "--device"),
         ((DEMO, "-o", "out", "--receivers", "0"), "--receivers"),
         ((DEMO, "-o", "out", "--receivers", "many"), "--receivers"),
         ((DEMO, "-o", "out", "--samples", "0"), "--samples"),
@@ -288,7 +291,8 @@ def test_bad_usage_is_one_line_and_leaves_nothing(
 
 
 def test_no_context_is_exit_code_3_and_leaves_nothing(run: Run, tmp_path: pathlib.Path) -> None:
-    result = run(DEMO, "-o", str(tmp_path / "out"), *FLAGS, OPACITY_EGL_DEVICE="97")
+    arguments = (DEMO, "-o", str(tmp_path / "out"), "--device", "gpu", *FLAGS)
+    result = run(*arguments, OPACITY_LIBEGL=NO_OPENGL)
     assert result.returncode == 3 and len(result.stderr.splitlines()) == 1
     assert list(tmp_path.iterdir()) == []
 

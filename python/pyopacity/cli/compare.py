@@ -1,14 +1,15 @@
 """``pyopacity compare FILE... -o DIR``"""
 
 import argparse
+import dataclasses
 import pathlib
 import shlex
-from typing import Any
+from typing import Any, Literal
 
 import pyopacity as po
-from pyopacity import _native
+from pyopacity import _arrays, _native
 from pyopacity.cli import scene_options, text
-from pyopacity.comparison import Plan, Variant, compare
+from pyopacity.comparison import Plan, Variant, available_device, compare
 from pyopacity.comparison.results import Results
 
 # Of the renderer's settings, what the comparison itself decides.
@@ -47,11 +48,18 @@ def _add_techniques(add: Any) -> None:
         "--map-size",
         default="512",
         metavar="N,...",
-        help="texels along each side of the light's maps, a row for each (default: 512)",
+        help="texels along each side of the light's maps, or auto; a row for each (default: 512)",
     )
 
 
 def _add_measures(add: Any) -> None:
+    add(
+        "--device",
+        default="auto",
+        metavar="NAME",
+        help="gpu; cpu, which needs no OpenGL and makes no pictures; auto: gpu where there is "
+        "OpenGL (default: auto)",
+    )
     add("--receivers", default="20000", metavar="N", help="vertices compared (default: 20000)")
     add("--seed", default="0", metavar="N", help="of their random choice (default: 0)")
     add("--samples", default="64", metavar="N", help="rays over each footprint (default: 64)")
@@ -72,6 +80,8 @@ def run(arguments: argparse.Namespace) -> int:
     rows = len(plan.variants()) * len(plan.map_sizes)
     view = scene_options.View(arguments)
     light = scene_options.light(arguments)
+
+    plan = dataclasses.replace(plan, device=_device(arguments))
 
     scene = scene_options.load(arguments)
     scene.add(light)
@@ -95,7 +105,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _plan(arguments: argparse.Namespace) -> Plan:
     settings = _native.RenderSettings()
-    map_sizes = _list("--map-size", arguments.map_size)
+    map_sizes = tuple(_map_size(part) for part in arguments.map_size.split(","))
     for map_size in map_sizes:
         settings.set("map_size", map_size)
     image_samples = text.whole("--image-samples", arguments.image_samples, 1, 8)
@@ -121,6 +131,23 @@ def _plan(arguments: argparse.Namespace) -> Plan:
 
 def _list(option: str, given: str) -> tuple[int, ...]:
     return tuple(text.whole(option, part, 1, 2**31 - 1) for part in given.split(","))
+
+
+def _map_size(part: str) -> int | str:
+    return part if part == "auto" else text.whole("--map-size", part, 1, 2**31 - 1)
+
+
+def _device(arguments: argparse.Namespace) -> Literal["gpu", "cpu"]:
+    """What `--device` comes to, which is what the command of a row says."""
+    given = arguments.device
+    _arrays.choice("--device", given, ("auto", "gpu", "cpu"))
+    if given != "auto":
+        return "cpu" if given == "cpu" else "gpu"
+    found = available_device()
+    arguments.device = found
+    if found == "cpu" and not arguments.json:
+        print("no OpenGL here (see pyopacity doctor): T on the CPU, and no pictures", flush=True)
+    return found
 
 
 def _folder(given: str) -> pathlib.Path:
@@ -149,8 +176,10 @@ def _command(arguments: argparse.Namespace) -> str:
 
 def _line(variant: Variant, row: dict[str, Any]) -> str:
     flip = "" if row["flip"] is None else f"  FLIP {row['flip']:.4f}"
+    rmse = row["image_rmse"]
+    image = "" if rmse is None else f"  image {rmse:.4f}"
     return (
         f"{variant.label}, map {row['map_size']}: RMSE depth {row['depth_rmse']:.4f}  "
-        f"total {row['total_rmse']:.4f}  image {row['image_rmse']:.4f}{flip}  "
+        f"total {row['total_rmse']:.4f}{image}{flip}  "
         f"{row['seconds']:.3f} s"
     )

@@ -5,7 +5,7 @@ show it, ``results`` writes it. The command is ``pyopacity compare``.
 """
 
 from pyopacity.comparison.plan import Plan, Variant
-from pyopacity.comparison.rows import Result, compare
+from pyopacity.comparison.rows import Result, available_device, compare
 from pyopacity.comparison.truth import DepthReference, Receivers, Truth, sample_receivers
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "Result",
     "Truth",
     "Variant",
+    "available_device",
     "compare",
     "sample_receivers",
 ]

@@ -56,8 +56,7 @@ def html_of(rows: Sequence[Row]) -> str:
         "<p>RMSE over the seconds of a whole frame from nothing; numbers as in the table.</p>",
         f'<div class="row">{_plots(rows)}</div>',
         "<h2>Pictures</h2>",
-        "<p>Error maps: red is too light, blue too dark, by .1 or more.</p>",
-        *(_pictures(number, row) for number, row in enumerate(rows, 1)),
+        *_pictures_of_all(rows),
         f"<p><code>{html.escape(first['command'])}</code></p>",
     ]
     return (
@@ -68,14 +67,27 @@ def html_of(rows: Sequence[Row]) -> str:
 
 
 def _facts(row: Row) -> str:
+    samples = row["image_samples"]
     facts = [
         f"{row['receivers']:,} receivers (seed {row['seed']})",
         f"{row['samples']} rays a footprint",
-        f"pictures {row['image_size']}, {row['image_samples']} x {row['image_samples']} samples "
-        "a pixel with a ray each",
         f"pyopacity {row['version']} on {row['renderer']}",
     ]
+    if _has_pictures(row):
+        facts.insert(
+            2,
+            f"pictures {row['image_size']}, {samples} x {samples} samples a pixel with a ray each",
+        )
     return html.escape("; ".join(facts)) + "."
+
+
+def _has_pictures(row: Row) -> bool:
+    return row["picture"] is not None
+
+
+def _kinds(row: Row) -> dict[str, str]:
+    """The errors that were measured: name in a row -> for people."""
+    return {k: v for k, v in _KINDS.items() if row[f"{k}_rmse"] is not None}
 
 
 def _label(row: Row) -> str:
@@ -89,10 +101,10 @@ def _colors(rows: Sequence[Row]) -> dict[str, str]:
 
 
 def _table(rows: Sequence[Row]) -> str:
-    colors = _colors(rows)
-    groups = "".join(f'<th colspan="5" class="first">{kind}</th>' for kind in _KINDS.values())
+    colors, kinds = _colors(rows), _kinds(rows[0])
+    groups = "".join(f'<th colspan="5" class="first">{kind}</th>' for kind in kinds.values())
     names = ""
-    for _ in _KINDS:
+    for _ in kinds:
         first, *others = _FIGURES.values()
         names += f'<th class="first">{first}</th>' + "".join(f"<th>{name}</th>" for name in others)
     head = (
@@ -112,10 +124,10 @@ def _cells(number: int, row: Row, color: str) -> list[str]:
     cells = [
         f"<td>{number}</td>",
         f'<td><span class="dot" style="background:{color}"></span> {label}</td>',
-        f"<td>{row['map_size']}</td>",
+        f"<td>{_map(row)}</td>",
         f"<td>{row['footprint']:.4g}</td>",
     ]
-    for kind in _KINDS:
+    for kind in _kinds(row):
         for name in _FIGURES:
             value = row[f"{kind}_{name}"]
             text = f"{value:+.4f}" if name == "bias" else f"{value:.4f}"
@@ -130,11 +142,11 @@ def _cells(number: int, row: Row, color: str) -> list[str]:
 def _plots(rows: Sequence[Row]) -> str:
     colors = _colors(rows)
     plots = []
-    for kind, title in _KINDS.items():
+    for kind, title in _kinds(rows[0]).items():
         points = [
             plot.Point(
                 number,
-                f"{_label(row)}, map {row['map_size']}",
+                f"{_label(row)}, map {_map(row)}",
                 colors[row["technique"]],
                 row["seconds"],
                 row[f"{kind}_rmse"],
@@ -145,8 +157,20 @@ def _plots(rows: Sequence[Row]) -> str:
     return "".join(plots)
 
 
+def _map(row: Row) -> str:
+    reason = row["map_size_reason"]
+    return f"{row['map_size']}" + (f" (auto: {reason})" if reason else "")
+
+
+def _pictures_of_all(rows: Sequence[Row]) -> list[str]:
+    if not _has_pictures(rows[0]):
+        return ["<p>None: they need OpenGL, and T was looked up on the CPU.</p>"]
+    meaning = "<p>Error maps: red is too light, blue too dark, by .1 or more.</p>"
+    return [meaning, *(_pictures(number, row) for number, row in enumerate(rows, 1))]
+
+
 def _pictures(number: int, row: Row) -> str:
-    heading = html.escape(f"{number}. {_label(row)}, map {row['map_size']}")
+    heading = html.escape(f"{number}. {_label(row)}, map {_map(row)}")
     figures = "".join(
         f'<figure><img src="{html.escape(row[name])}" alt="{caption}" loading="lazy">'
         f"<figcaption>{caption}</figcaption></figure>"

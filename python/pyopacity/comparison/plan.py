@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 from pyopacity import _native
 from pyopacity._arrays import Value
@@ -37,7 +37,8 @@ class Plan:
         techniques: names; the default is the registry.
         layers: one variant for each, of techniques that have that parameter.
         parameters: for every technique that has a parameter of that name.
-        map_sizes: texels along each side of the light's maps.
+        map_sizes: texels along each side of the light's maps, or "auto".
+        device: "gpu"; or "cpu", without OpenGL and so without pictures.
         receivers: how many vertices of the shapes that receive, chosen by ``seed``.
         samples: rays over each footprint.
         footprint: its side in world units, of all maps alike; None for two texels of each map.
@@ -51,7 +52,8 @@ class Plan:
     techniques: tuple[str, ...] = ()
     layers: tuple[int, ...] = (16,)
     parameters: Mapping[str, Value] = field(default_factory=dict)
-    map_sizes: tuple[Any, ...] = (512,)
+    map_sizes: tuple[int | str, ...] = (512,)
+    device: Literal["gpu", "cpu"] = "gpu"
     receivers: int = 20_000
     seed: int = 0
     samples: int = 64

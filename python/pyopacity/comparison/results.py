@@ -1,4 +1,4 @@
-"""A comparison in a folder: results.csv, results.json, index.html, and pictures."""
+"""A comparison in a folder: results.csv, results.json, index.html, and pictures, if any."""
 
 from __future__ import annotations
 
@@ -40,27 +40,30 @@ class Results:
 
     def add(self, result: Result) -> None:
         """Writes a row's pictures, then every file that lists rows."""
-        images = self._folder / "images"
-        try:
-            images.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise ParameterError(
-                f"{images} cannot be made: {error.strerror}", "choose another folder"
-            ) from error
+        picture, traced = result.picture, result.traced
+        self._make(self._folder if picture is None else self._folder / "images")
         row = self._row(result)
-        image.save_image(self._folder / row["picture"], result.picture)
-        image.save_image(self._folder / row["traced"], result.traced)
-        image.save_image(self._folder / row["error_map"], error_map(result.picture, result.traced))
+        if picture is not None and traced is not None:
+            row |= self._names_of(result, traced)
+            image.save_image(self._folder / row["picture"], picture)
+            image.save_image(self._folder / row["traced"], traced)
+            image.save_image(self._folder / row["error_map"], error_map(picture, traced))
         self.rows.append(row)
         self._write("results.csv", _as_csv(self.rows))
         self._write("results.json", json.dumps(self.rows, indent=2) + "\n")
         self._write("index.html", page.html_of(self.rows))
 
+    @staticmethod
+    def _make(folder: pathlib.Path) -> None:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise ParameterError(
+                f"{folder} cannot be made: {error.strerror}", "choose another folder"
+            ) from error
+
     def _row(self, result: Result) -> dict[str, Any]:
         plan, variant = self._plan, result.variant
-        layers = variant.parameters.get("layers")
-        name = variant.technique + (f"-{layers}" if layers is not None else "")
-        name += f"-map-{result.map_size}"
         width, height = plan.image_size
         return {
             "scene": self._scene,
@@ -68,6 +71,7 @@ class Results:
             "technique": variant.technique,
             "parameters": variant.parameters,
             "map_size": result.map_size,
+            "map_size_reason": result.map_size_reason,
             "footprint": result.footprint,
             "receivers": result.receivers,
             "samples": plan.samples,
@@ -77,9 +81,18 @@ class Results:
             "renderer": result.renderer,
             "version": _native.version(),
             "command": self._command,
+            **dict.fromkeys(("picture", "error_map", "traced")),
+        }
+
+    def _names_of(self, result: Result, traced: F32) -> dict[str, str]:
+        """Files of a row's pictures."""
+        layers = result.variant.parameters.get("layers")
+        name = result.variant.technique + (f"-{layers}" if layers is not None else "")
+        name += f"-map-{'auto' if result.map_size_reason else result.map_size}"
+        return {
             "picture": f"images/{name}.png",
             "error_map": f"images/{name}-error.png",
-            "traced": f"images/{self._name_of_traced(result.traced)}.png",
+            "traced": f"images/{self._name_of_traced(traced)}.png",
         }
 
     def _name_of_traced(self, traced: F32) -> str:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import asdict, dataclass, fields
+from typing import Any, Literal
 
 import numpy as np
 
-from pyopacity import _arrays, metrics
+from pyopacity import _arrays, _native, metrics
 from pyopacity.camera import Camera
 from pyopacity.comparison.plan import Plan, Variant
 from pyopacity.comparison.surfaces import F32
@@ -23,10 +23,11 @@ from pyopacity.comparison.truth import (
     sample_receivers,
     texel_side,
 )
-from pyopacity.errors import ParameterError
+from pyopacity.errors import ContextError, ParameterError
 from pyopacity.metrics import Errors
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
+from pyopacity.technique import EXACT
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -36,31 +37,35 @@ class Result:
     Attributes:
         variant: the technique and its parameters.
         map_size: texels along each side.
+        map_size_reason: why map_size="auto" took so many; None where the plan says how many.
         footprint: side in world units of the square over which T by rays is averaged.
         receivers: how many.
         depth: of T at the receivers, against the exact lists of the same map.
         total: of T at the receivers, against rays.
-        image: of linear RGB over black, against the picture with T by rays.
+        image: of linear RGB over black, against the picture with T by rays; None, as all that is
+            about pictures, on a device that makes none.
         flip: mean FLIP of these two pictures; None where flip-evaluator is not installed.
-        seconds: for a whole frame with nothing kept from the last, the median of a few.
+        seconds: for a whole frame, or T at the receivers' shapes where there are no pictures, with
+            nothing kept from the last; the median of a few.
         map_seconds: the part of it that made the light's maps.
-        renderer: what OpenGL calls itself.
+        renderer: what OpenGL calls itself, or "cpu".
         picture, traced: (H, W, 4) float32, linear, premultiplied.
     """
 
     variant: Variant
     map_size: int
+    map_size_reason: str | None
     footprint: float
     receivers: int
     depth: Errors
     total: Errors
-    image: Errors
+    image: Errors | None
     flip: float | None
     seconds: float
     map_seconds: float
     renderer: str
-    picture: F32
-    traced: F32
+    picture: F32 | None
+    traced: F32 | None
 
     def figures(self) -> dict[str, Any]:
         """The errors and times, flat: ``depth_rmse`` and so on."""
@@ -68,7 +73,7 @@ class Result:
         flat = {
             f"{kind}_{name}": figure
             for kind, found in errors.items()
-            for name, figure in asdict(found).items()
+            for name, figure in _figures(found).items()
         }
         times = {"seconds": self.seconds, "map_seconds": self.map_seconds}
         return {**flat, "flip": self.flip, **times}
@@ -86,7 +91,7 @@ def compare(
         progress: told in words what is being done.
 
     Raises:
-        ContextError: no OpenGL.
+        ContextError: no OpenGL, where the plan's device is not "cpu".
         ParameterError: a scene without a light or without receivers; a plan that does not hold.
     """
     if len(scene.lights) != 1:
@@ -96,7 +101,7 @@ def compare(
     variants = plan.variants()
     receivers = sample_receivers(scene, plan.receivers, plan.seed)
     settings = {**plan.settings, "size": plan.image_size, "antialiasing": plan.image_samples}
-    with Renderer(scene, camera, **settings) as renderer:
+    with Renderer(scene, camera, device=plan.device, **settings) as renderer:
         truth = Truth(scene, camera, plan, receivers, progress)
         bench = _Bench(plan, renderer, receivers, truth, DepthReference(receivers))
         for map_size in dict.fromkeys(plan.map_sizes):
@@ -122,43 +127,92 @@ class _Bench:
         exact = self.depth_reference.of(renderer, variant)
         renderer.technique = variant.make()
         measured = self.receivers.transmittance(renderer)
-        picture = renderer.render()
         side = FOOTPRINT_TEXELS * texel_side(renderer)
+        map_size, reason = _map_size_of(renderer)
         footprint = side if self.plan.footprint is None else self.plan.footprint
         bias = _bias_of(renderer)
-        traced = truth.picture(bias)
-        seconds, map_seconds = _times(renderer, self.plan.repeats)
+        picture = traced = image = flip = None
+        if self.plan.device != "cpu":
+            picture, traced = renderer.render(), truth.picture(bias)
+            image = metrics.errors(picture[..., :3], traced[..., :3])
+            flip = metrics.flip(traced, picture) if metrics.has_flip() else None
+        seconds, map_seconds = self._times()
         return Result(
             variant=variant,
-            map_size=renderer.map_size,
+            map_size=map_size,
+            map_size_reason=reason,
             footprint=footprint,
             receivers=len(measured),
             depth=metrics.errors(measured, exact),
             total=metrics.errors(measured, truth.transmittance(footprint, bias)),
-            image=metrics.errors(picture[..., :3], traced[..., :3]),
-            flip=metrics.flip(traced, picture) if metrics.has_flip() else None,
+            image=image,
+            flip=flip,
             seconds=seconds,
             map_seconds=map_seconds,
-            renderer=renderer.context.renderer,
+            renderer=renderer.device,
             picture=picture,
             traced=traced,
         )
+
+    def _times(self) -> tuple[float, float]:
+        """Medians in seconds of a whole frame, and of its passes before the light is used."""
+        once = self._time_of_look_ups if self.plan.device == "cpu" else self._time_of_picture
+        frames, maps = zip(*(once() for _ in range(self.plan.repeats)), strict=True)
+        return float(np.median(frames)), float(np.median(maps))
+
+    def _time_of_picture(self) -> tuple[float, float]:
+        self.renderer.invalidate()
+        start = time.perf_counter()
+        self.renderer.render()
+        return time.perf_counter() - start, _map_seconds(self.renderer)
+
+    def _time_of_look_ups(self) -> tuple[float, float]:
+        """The first shape's has the maps made."""
+        self.renderer.invalidate()
+        maps = 0.0
+        start = time.perf_counter()
+        for shape, _ in self.receivers.chosen:
+            self.renderer.transmittance(shape)
+            maps += _map_seconds(self.renderer)
+        return time.perf_counter() - start, maps
+
+
+def available_device() -> Literal["gpu", "cpu"]:
+    """ "gpu" where a context can be made."""
+    try:
+        _native.Context.headless()
+    except ContextError:
+        return "cpu"
+    return "gpu"
+
+
+def _figures(found: Errors | None) -> dict[str, float | None]:
+    return dict(asdict(found)) if found else {one.name: None for one in fields(Errors)}
+
+
+def _map_seconds(renderer: Renderer) -> float:
+    used = ("lighting", "transmittance")
+    return sum(row.ms for row in renderer.report if row.name not in used) / 1000.0
+
+
+def _map_size_of(renderer: Renderer) -> tuple[int, str | None]:
+    """Texels along each side of the last frame's map, and why, where it was "auto"."""
+    if renderer.map_size != "auto":
+        return int(renderer.map_size), None
+    note = next(row.note for row in renderer.report if row.name == "map_size")
+    size, _, reason = note.partition(" texels: ")
+    if reason:
+        return int(size), reason
+    # Nothing is translucent: the pass that would say it did not run. Some technique has a map.
+    variant = renderer.technique
+    renderer.technique = EXACT
+    renderer.transmittance(np.zeros((1, 3)))
+    size_px = len(renderer.read("opaque_depth"))
+    renderer.technique = variant
+    return size_px, "no strands to go by"
 
 
 def _bias_of(renderer: Renderer) -> Bias:
     """The technique's, in world units; None where it is automatic."""
     bias = getattr(renderer.technique, "bias", "auto")
     return float(bias) if _arrays.is_number(bias) else None
-
-
-def _times(renderer: Renderer, repeats: int) -> tuple[float, float]:
-    """Medians in seconds of a whole frame, and of its passes before the lighting."""
-    frames, maps = [], []
-    for _ in range(repeats):
-        renderer.invalidate()
-        start = time.perf_counter()
-        renderer.render()
-        frames.append(time.perf_counter() - start)
-        before = [row.ms for row in renderer.report if row.name != "lighting"]
-        maps.append(sum(before) / 1000.0)
-    return float(np.median(frames)), float(np.median(maps))
