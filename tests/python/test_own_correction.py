@@ -1,0 +1,73 @@
+"""What a caster that is itself the receiver loses of its light to itself."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pyopacity as po
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+import generated_scenes
+import own_shadow
+
+MAPS = "bounding_opacity_maps"
+MAP_SIZE, ACROSS, POINTS = 128, 8, 16
+TEXEL = 12.0 / MAP_SIZE  # about: the strands lie in cells of 1.5
+
+
+def losses(opacity: float, width: float, **parameters: object) -> np.ndarray:
+    """1 - T along strands that stand alone: (strands, points)."""
+    scene = own_shadow.isolated(opacity, width, ACROSS, POINTS)
+    technique = po.technique(MAPS, **parameters)
+    return own_shadow.losses(scene, technique, MAP_SIZE).reshape(-1, POINTS)
+
+
+@pytest.mark.parametrize("opacity", [0.1, 0.3, 0.9])
+@pytest.mark.parametrize("width", [0.01 * TEXEL, 0.1 * TEXEL, 4.0 * TEXEL])
+def test_a_strand_alone_loses_less_than_a_hundredth(opacity: float, width: float) -> None:
+    corrected = losses(opacity, width)
+    assert corrected.min() >= 0.0 and corrected.max() <= 1.0
+    assert corrected.mean() < 0.01
+    assert corrected.mean() < losses(opacity, width, own_correction=False).mean()
+
+
+@pytest.mark.parametrize("opacity", [0.1, 0.3, 0.9])
+def test_a_strand_as_wide_as_a_texel_loses_at_most_half(opacity: float) -> None:
+    """Steep ones have themselves in front, beyond the bias, within one texel."""
+    corrected = losses(opacity, TEXEL)
+    assert corrected.mean() < 0.5 * losses(opacity, TEXEL, own_correction=False).mean()
+    assert corrected.mean() < 0.01 or opacity > 0.3
+
+
+@pytest.mark.parametrize("own_correction", [True, False])
+@pytest.mark.parametrize("opacity", [0.1, 0.9])
+def test_the_first_surface_has_all_of_the_light(opacity: float, own_correction: bool) -> None:
+    scene = own_shadow.isolated(opacity, TEXEL, ACROSS, POINTS)
+    height = scene.shapes[0].points[:, 2].reshape(-1, POINTS)
+    lost = losses(opacity, TEXEL, own_correction=own_correction)
+    assert not lost[np.arange(len(lost)), height.argmax(axis=1)].any()
+
+
+def test_depth_error_is_less() -> None:
+    strands = generated_scenes.tree(1500)
+    scene = generated_scenes.lit(strands, generated_scenes.ABOVE)
+    with po.Renderer(scene, device="cpu", technique="exact", map_size=MAP_SIZE) as renderer:
+        exact = renderer.transmittance(strands)
+        rmse = {}
+        for own_correction in (True, False):
+            renderer.technique = po.technique(MAPS, layers=8, own_correction=own_correction)
+            T = renderer.transmittance(strands)
+            assert T.min() >= 0.0 and T.max() <= 1.0
+            rmse[own_correction] = po.metrics.rmse(T, exact)
+    assert rmse[True] < rmse[False]
+
+
+def test_the_papers_deposit_knows_no_correction() -> None:
+    """It is not the strand's own area that would be taken out."""
+    on, off = (
+        losses(0.5, TEXEL, own_correction=correction, deposit_rule="paper")
+        for correction in (True, False)
+    )
+    assert on.tobytes() == off.tobytes() and on.max() > 0.0
