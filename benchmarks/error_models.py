@@ -33,10 +33,10 @@ class Model:
     goals: tuple[float, float] = UNSEEN
 
 
-def models(only: str = "") -> Iterator[Model]:
-    """Those whose name holds `only`; of files, those that PYOPACITY_DATA has."""
+def models(only: Sequence[str] | None = None) -> Iterator[Model]:
+    """All, or those of these names; of files, those that PYOPACITY_DATA has."""
     for name, make in _makers().items():
-        if only in name:
+        if only is None or name in only:
             yield make(name)
 
 

@@ -1,6 +1,6 @@
 """Total error: T of techniques against rays through the real geometry, on maps of all sizes.
 
-    python benchmarks/total_error.py [--table total|footprint|auto] [--model NAME] > tables.md
+    python benchmarks/total_error.py [--table total] [--model straight.hair] > tables.md
 
 Prints tables of docs/accuracy.md: at two texels of each map; over one world footprint for all maps,
 by filter; and what map_size="auto" takes. Generated models, and those that PYOPACITY_DATA has. Maps
@@ -184,7 +184,7 @@ TABLES = {
 }
 
 
-def benches(only: str) -> Iterator[tuple[Model, Bench]]:
+def benches(only: list[str] | None) -> Iterator[tuple[Model, Bench]]:
     for model in error_models.models(only):
         yield model, Bench(model)
 
@@ -192,7 +192,9 @@ def benches(only: str) -> Iterator[tuple[Model, Bench]]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--table", choices=TABLES, action="append")
-    parser.add_argument("--model", default="", help="only those whose name holds this")
+    parser.add_argument(
+        "--model", action="append", help="only the one of this name; again for more"
+    )
     arguments = parser.parse_args()
     for table in arguments.table or TABLES:
         head, row = TABLES[table]
