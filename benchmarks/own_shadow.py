@@ -2,9 +2,9 @@
 
     python benchmarks/own_shadow.py > table.md
 
-Prints the table of docs/accuracy.md: mean of 1 - T over the vertices of straight strands in random
-directions, which do not shadow each other, and the worst vertex. Maps are the CPU's. The last rows are what rays
-over two texels lose: from beside a strand, it stands in front of itself.
+Prints the table of docs/accuracy_tables.md: mean of 1 - T over the vertices of straight strands in
+random directions, which do not shadow each other, and the worst vertex. Maps are the CPU's. The
+last rows are what rays over two texels lose: from beside a strand, it stands in front of itself.
 """
 
 from __future__ import annotations

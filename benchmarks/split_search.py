@@ -2,8 +2,8 @@
 
     python benchmarks/split_search.py [--map-size 256] [--frames 1] > table.md
 
-Prints the table of docs/accuracy.md. Depth error: RMSE of T against the exact lists of the same
-map. Scenes: those of generated_scenes.py, and straight.hair where PYOPACITY_DATA has it.
+Prints the table of docs/accuracy_tables.md. Depth error: RMSE of T against the exact lists of the
+same map. Scenes: those of generated_scenes.py, and straight.hair where PYOPACITY_DATA has it.
 """
 
 from __future__ import annotations

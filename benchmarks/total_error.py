@@ -2,9 +2,9 @@
 
     python benchmarks/total_error.py [--table total] [--model straight.hair] > tables.md
 
-Prints tables of docs/accuracy.md: at two texels of each map; over one world footprint for all maps,
-by filter; and what map_size="auto" takes. Generated models, and those that PYOPACITY_DATA has. Maps
-are the CPU's, so no OpenGL is needed.
+Prints tables of docs/accuracy_tables.md: at two texels of each map; over one world footprint for
+all maps, by filter and by its width; and what map_size="auto" takes. Generated models, and those
+that PYOPACITY_DATA has. Maps are the CPU's, so no OpenGL is needed.
 """
 
 from __future__ import annotations

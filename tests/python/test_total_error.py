@@ -29,7 +29,8 @@ def bench() -> Bench:
 def test_the_goals_hold_at_every_map_size(bench: Bench, name: str, goal: float) -> None:
     for errors in total_error.total_errors(bench, name, map_sizes=MAP_SIZES).values():
         assert max(e.rmse for e in errors) <= goal
-        assert max(abs(e.bias) for e in errors) <= 0.015
+        most = 0.01 if name == "exact" else 0.015  # see "Own shadow" in docs/accuracy.md
+        assert max(abs(e.bias) for e in errors) <= most
 
 
 def test_a_box_as_wide_as_the_footprint_nears_the_rays(bench: Bench) -> None:
