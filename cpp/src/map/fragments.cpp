@@ -40,7 +40,7 @@ std::array<float, 2> slope_of(const std::array<float4, 3>& p) {
     const double vx = double(p[2][0]) - p[0][0], vy = double(p[2][1]) - p[0][1];
     const double uz = double(p[1][2]) - p[0][2], vz = double(p[2][2]) - p[0][2];
     const double determinant = ux * vy - uy * vx;
-    if (determinant == 0.0) return {0.f, 0.f};
+    if (determinant == 0.0) return {1e20f, 1e20f};  // as lib/surface.glsl has it
     return {float((uz * vy - vz * uy) / determinant), float((vz * ux - uz * vx) / determinant)};
 }
 
