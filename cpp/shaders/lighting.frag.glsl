@@ -26,6 +26,9 @@ in vec2 v_own_ends;
 
 Receiver receiver() {
     Receiver receiver = point_receiver(v_p_ls, u_receiver_width);
+#ifdef STRANDS
+    receiver.on_strand = true;
+#endif
 #ifdef OWN_CORRECTION
     receiver.opacity = v_own_opacity;
 #ifdef STRANDS

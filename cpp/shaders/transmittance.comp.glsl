@@ -6,7 +6,7 @@
 struct Query {
     vec4 p_ls;  // w: width_texels
     vec4 direction;  // w: opacity
-    vec4 ends;
+    vec4 ends;  // z: 1 on a strand
 };
 layout(std430) readonly buffer b_query { Query queries[]; };
 layout(std430) writeonly buffer b_transmittance { float transmittance[]; };
@@ -18,5 +18,6 @@ void main() {
     if (index >= uint(u_receiver_count)) return;
     Query query = queries[index];
     transmittance[index] = shadow_transmittance(Receiver(query.p_ls.xyz, u_receiver_width, query.direction.w,
-                                                         query.p_ls.w, query.direction.xyz, query.ends.xy));
+                                                         query.p_ls.w, query.direction.xyz, query.ends.xy,
+                                                         query.ends.z > 0.5));
 }

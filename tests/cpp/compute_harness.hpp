@@ -43,10 +43,11 @@ class Evaluator {
     // A map of one channel, for the sampler of that name.
     void set_map(const std::string& sampler, int size_px, const std::vector<float>& texels) {
         const opacity::gl::Context::Use use{*context_};
-        map_ = {context_, GL_TEXTURE_2D, GL_R32F, size_px, size_px};
-        map_.write(std::as_bytes(std::span{texels}));
+        opacity::gl::Texture& map =
+            maps_.emplace_back(context_, GL_TEXTURE_2D, GL_R32F, size_px, size_px);
+        map.write(std::as_bytes(std::span{texels}));
         if (const auto unit = program_.sampler(sampler))
-            context_->gl().BindTextureUnit(*unit, map_.name());
+            context_->gl().BindTextureUnit(*unit, map.name());
     }
 
     Table operator()(const Table& rows) {
@@ -103,7 +104,7 @@ class Evaluator {
     std::shared_ptr<opacity::gl::Context> context_;
     int inputs_, outputs_;
     opacity::gl::Program program_;
-    opacity::gl::Texture map_;
+    std::vector<opacity::gl::Texture> maps_;
 };
 
 inline std::string text_of(const Row& row) {

@@ -347,7 +347,7 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
     Evaluator evaluator{
         context,
         {"#include \"lib/receiver.glsl\"\n", 12, 2,
-         "Receiver r = Receiver(given3(0), 0.0, given(4), given(3), given3(5), given2(8));\n"
+         "Receiver r = Receiver(given3(0), 0.0, given(4), given(3), given3(5), given2(8), false);\n"
          "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
          "result(0) = own.depth; result(1) = own.optical_depth;"}};
     set_space(evaluator, space);

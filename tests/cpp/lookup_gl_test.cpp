@@ -82,6 +82,13 @@ std::vector<float> opaque_depth(const Setup& setup) {
     return depth;
 }
 
+// Strands see it somewhat nearer to the light.
+std::vector<float> opaque_surface(std::vector<float> depth) {
+    for (float& d : depth)
+        if (d < 1.f) d *= 0.9f;
+    return depth;
+}
+
 // Position, width in world units, opacity, width in texels, direction, ends: 11 floats.
 Row receiver_row(float x, float y, float z) {
     return {x, y, z, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f};
@@ -125,7 +132,8 @@ class BothSides {
         : space_{space_of(setup)},
           map_{setup.size_px},
           opaque_depth_{opaque_depth(setup)},
-          cpp_{space_, map_, opaque_depth_, filter_of(setup), setup.bias},
+          opaque_surface_{opaque_surface(opaque_depth_)},
+          cpp_{space_, map_, {opaque_depth_, opaque_surface_}, filter_of(setup), setup.bias},
           glsl_{context, shader_of(setup)} {
         auto& program = glsl_.program();
         program.set("u_light_map_size_px", space_.map_size_px);
@@ -136,6 +144,7 @@ class BothSides {
         program.set("u_filter_radius", setup.radius);
         program.set("u_filter_width", -1.f);
         glsl_.set_map("t_opaque_depth", setup.size_px, opaque_depth_);
+        glsl_.set_map("t_opaque_surface", setup.size_px, opaque_surface_);
     }
     Table glsl(const Table& rows) { return glsl_(rows); }
     Row cpp(const Row& row) const {
@@ -143,7 +152,8 @@ class BothSides {
                                 .width_texels = row[5],
                                 .direction = {row[6], row[7], row[8]},
                                 .opacity = row[4],
-                                .ends = {row[9], row[10]}};
+                                .ends = {row[9], row[10]},
+                                .on_strand = row[5] > 0.f ? 1.f : 0.f};
         return {cpp_.transmittance(receiver, row[3])};
     }
 
@@ -155,7 +165,7 @@ class BothSides {
     static harness::Shader shader_of(const Setup& setup) {
         harness::Shader shader{made_up_map, 11, 1,
                                "Receiver r = Receiver(given3(0), given(3), given(4), given(5), "
-                               "given3(6), given2(9));\n"
+                               "given3(6), given2(9), given(5) > 0.0);\n"
                                "result(0) = shadow_transmittance(r);"};
         shader.defines = {{std::string{"FILTER_"} + setup.filter, "1"}};
         if (setup.density) shader.defines.emplace_back("DENSITY_FILTER", "1");
@@ -164,7 +174,7 @@ class BothSides {
 
     LightSpace space_;
     MadeUpMap map_;
-    std::vector<float> opaque_depth_;
+    std::vector<float> opaque_depth_, opaque_surface_;
     MapLookUp cpp_;
     Evaluator glsl_;
 };

@@ -71,3 +71,17 @@ def test_the_papers_deposit_knows_no_correction() -> None:
         for correction in (True, False)
     )
     assert on.tobytes() == off.tobytes() and on.max() > 0.0
+
+
+def test_strands_see_an_opaque_surface_where_it_is() -> None:
+    """A slope moves a surface back in the map, by a texel of itself: not for what is no surface."""
+    side = np.array([[-4.0, -4, 0], [4, -4, 8], [4, 4, 8], [-4, 4, 0]])
+    wall = po.Mesh(side, np.array([[0, 1, 2], [0, 2, 3]]))
+    behind = side.mean(0) - [0.0, 0.0, 0.2]  # in the shadow, by less than the wall is moved back
+    strand = po.Strands(
+        np.stack([behind, behind + [0.01, 0.0, 0.01]]), np.array([0, 2]), width=0.01, opacity=0.3
+    )
+    scene = po.Scene([wall, strand], po.DirectionalLight((0.0, 0.0, -1.0)))
+    for name in ("exact", "bounding_opacity_maps"):
+        assert po.transmittance(scene, strand, name, 32).max() == 0.0
+        assert po.transmittance(scene, wall, name, 32).min() == 1.0

@@ -130,6 +130,7 @@ def test_shading_is_linear_in_what_is_looked_up_there(
     """
     camera = po.Camera.fit(scene.shapes[:2])
     shadows = impersonal(technique, bias=0.05)
+    scene.shapes[1].opacity = 0.6  # opaque, strands would see it where it is, and points moved back
     T = np.ones((32, 48))
     with po.Renderer(scene, camera, technique=shadows, **small) as renderer:
         picture = renderer.render()

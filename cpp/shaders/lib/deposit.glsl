@@ -49,7 +49,10 @@ in float v_opacity;
 #endif
 
 bool covers(out Deposit deposit) {
-    deposit.depth = v_depth + surface_margin(vec2(dFdx(v_depth), dFdy(v_depth)));
+    deposit.depth = v_depth;
+#ifndef AT_SURFACE
+    deposit.depth += surface_margin(vec2(dFdx(v_depth), dFdy(v_depth)));
+#endif
     deposit.optical_depth = 0.0;
 #ifdef OPTICAL_DEPTH
     deposit.optical_depth = optical_depth_of(v_opacity);

@@ -8,7 +8,8 @@
 #include "lib/light.glsl"
 #include "lib/receiver.glsl"
 
-uniform sampler2D t_opaque_depth;
+uniform sampler2D t_opaque_depth;    // moved away from the light, for surfaces: lib/surface.glsl
+uniform sampler2D t_opaque_surface;  // where it is, for strands
 uniform float u_bias;              // world units; negative: automatic
 uniform float u_light_least_bias;  // world units
 
@@ -23,7 +24,7 @@ struct Taps {
 // A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
 // of the receiver the margin of lib/surface.glsl takes care of; from two on the slope does.
 float depth_at(Receiver receiver, ivec2 texel, float depth) {
-    if (receiver.width_texels > 0.0) return depth;  // a strand has no plane
+    if (receiver.on_strand) return depth;  // it has no plane
     vec2 offset = vec2(texel) + 0.5 - receiver.p_ls.xy;
     vec2 near = clamp(offset, -1.0, 1.0) * clamp(2.0 - abs(offset), 0.0, 1.0);
     return depth + dot(limited_slope(receiver.direction.xy), offset - near);
@@ -37,7 +38,9 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     depth = depth_at(receiver, texel, depth);
     float optical_depth = 0.0;
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
-        if (texelFetch(t_opaque_depth, texel, 0).x < min(depth, 1.0)) return;
+        float opaque = receiver.on_strand ? texelFetch(t_opaque_surface, texel, 0).x
+                                          : texelFetch(t_opaque_depth, texel, 0).x;
+        if (opaque < min(depth, 1.0)) return;
         optical_depth = max(0.0, texel_optical_depth(texel, depth, own_deposit(receiver, texel)));
     }
     taps.lit += weight;

@@ -14,6 +14,7 @@ struct Receiver {
     float width_texels;  // of its strand; 0 on a surface
     vec3 direction;      // of its strand, one texel long on the major axis; surface: xy = slope
     vec2 ends;           // how far its strand reaches both ways, in directions
+    bool on_strand;      // no opaque surface that it lies on can shadow itself
 };
 
 // What a texel holds of the receiver's own caster.
@@ -25,7 +26,7 @@ struct OwnDeposit {
 const OwnDeposit no_own_deposit = OwnDeposit(0.0, 0.0);
 
 Receiver point_receiver(vec3 p_ls, float width) {
-    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0));
+    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false);
 }
 
 OwnDeposit own_strand_deposit(Receiver receiver, vec2 texel) {

@@ -34,6 +34,7 @@ struct FragmentSource {
     std::span<const float> opaque_depth;  // one value a texel; empty: there is no opaque caster
     bool paper_deposit = false;
     bool optical_depth = true;
+    bool surface_margin = true;  // moves surfaces away from the light
 };
 
 // Leaves out what no receiver can notice: casters behind all receivers or behind an opaque one,
@@ -129,7 +130,8 @@ void triangle_fragments(const LightCaster& caster, std::size_t first, const Frag
             depth += t.weights[i] * points[i][2];
             opacity += t.weights[i] * caster.opacity_at(corner[i]);
         }
-        sink(t.x, t.y, depth + t.margin, [&] { return optical_depth_of(opacity); });
+        sink(t.x, t.y, source.surface_margin ? depth + t.margin : depth,
+             [&] { return optical_depth_of(opacity); });
     });
 }
 

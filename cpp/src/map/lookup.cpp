@@ -8,7 +8,7 @@ namespace {
 // A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
 // of the receiver the margin of map/surface.hpp takes care of; from two on the slope does.
 float depth_at(const Receiver& receiver, int x, int y, float depth, const LightSpace& space) {
-    if (receiver.width_texels > 0.f) return depth;  // a strand has no plane
+    if (receiver.on_strand > 0.f) return depth;  // it has no plane
     const auto slope = limited_slope({receiver.direction[0], receiver.direction[1]}, space);
     const auto far = [&](int texel, int axis) {
         const float offset = float(texel) + 0.5f - receiver.p_ls[axis];
@@ -40,7 +40,8 @@ void MapLookUp::add_tap(Taps& taps, const Receiver& receiver, int x, int y, floa
     float optical_depth = 0.f;
     if (x >= 0 && y >= 0 && x < size_px && y < size_px) {
         const std::size_t texel = std::size_t(y) * size_px + x;
-        if (opaque_depth_[texel] < std::min(depth, 1.f)) return;
+        const auto& opaque = receiver.on_strand > 0.f ? opaque_depth_.surface : opaque_depth_.moved;
+        if (opaque[texel] < std::min(depth, 1.f)) return;
         const OwnDeposit own = own_deposit(receiver, x, y, space_);
         optical_depth = std::max(0.f, map_.optical_depth(texel, depth, own));
     }

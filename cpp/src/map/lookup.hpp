@@ -23,10 +23,16 @@ struct Filter {
     bool density = false;  // average optical depth, not T
 };
 
+// The first opaque caster of each texel: moved away from the light, for surfaces (map/surface.hpp),
+// and where it is, for strands.
+struct OpaqueDepth {
+    std::span<const float> moved, surface;
+};
+
 class MapLookUp {
    public:
-    // `bias` in world units; negative: automatic. `opaque_depth`: one value a texel.
-    MapLookUp(const LightSpace& space, const TexelMap& map, std::span<const float> opaque_depth,
+    // `bias` in world units; negative: automatic.
+    MapLookUp(const LightSpace& space, const TexelMap& map, const OpaqueDepth& opaque_depth,
               const Filter& filter, double bias)
         : space_{space}, map_{map}, opaque_depth_{opaque_depth}, filter_{filter}, bias_{bias} {}
 
@@ -41,7 +47,7 @@ class MapLookUp {
 
     const LightSpace& space_;
     const TexelMap& map_;
-    std::span<const float> opaque_depth_;
+    OpaqueDepth opaque_depth_;
     Filter filter_;
     double bias_;
 };

@@ -101,6 +101,8 @@ std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
     const auto lock = query.own->lock();
     const bool corrects = own_correction && query.is_in_maps;
     const auto* strands = dynamic_cast<const Strands*>(query.own);
+    if (strands)
+        for (Receiver& receiver : list) receiver.on_strand = 1.f;
     if (strands && corrects) tell_strands(list, p_ls, *strands, space.texels_per_unit);
     if (const auto* mesh = dynamic_cast<const Mesh*>(query.own))
         tell_mesh(list, p_ls, *mesh, corrects);

@@ -14,8 +14,9 @@ struct Receiver {
     float width_texels = 0.f;  // of its strand; 0 on a surface
     float3 direction{};   // of its strand, one texel long on the major axis; surface: xy = slope
     float opacity = 0.f;  // of its own caster; 0 where it lies on none
-    float ends[2] = {0.f, 0.f};    // how far its strand reaches both ways, in directions
-    float unused[2] = {0.f, 0.f};  // a multiple of four floats, as std430 has it
+    float ends[2] = {0.f, 0.f};  // how far its strand reaches both ways, in directions
+    float on_strand = 0.f;       // or 1: no opaque surface that it lies on can shadow itself
+    float unused = 0.f;          // a multiple of four floats, as std430 has it
 };
 static_assert(sizeof(Receiver) == 12 * sizeof(float));
 

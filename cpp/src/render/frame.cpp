@@ -99,35 +99,44 @@ Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query) {
 }
 
 ShadowLookUp Frame::add_shadows(const FrameInputs& inputs) {
-    Texture& opaque_depth = add_opaque_depth();
+    Texture& opaque_depth = add_opaque_depth("opaque_depth", false);
+    Texture& opaque_surface = add_opaque_depth("opaque_surface", true);
     if (inputs.scene.lights().empty()) return {};
     const FrameGraph::Scope scope{graph_, technique_->name()};
     const bool has_opaque = !lists_.opaque.shapes().empty();
     const bool paper_deposit = technique_->deposit_rule.is("paper");
-    return {technique_->build(graph_, {light_, lists_.translucent, opaque_depth, has_opaque,
-                                       paper_deposit, space_, casters_}),
-            technique_->shader_path(), &opaque_depth};
+    return {technique_->build(graph_, {light_, lists_.translucent, opaque_depth, opaque_surface,
+                                       has_opaque, paper_deposit, space_, casters_}),
+            technique_->shader_path(), &opaque_depth, &opaque_surface};
 }
 
-Texture& Frame::add_opaque_depth() {
-    Texture& opaque_depth = graph_.texture(
-        "opaque_depth",
+Texture& Frame::add_opaque_depth(const std::string& name, bool at_surface) {
+    Texture& map = graph_.texture(
+        name,
         {.format = Format::depth32f, .width = space_.map_size_px, .height = space_.map_size_px});
-    graph_.add({.name = "opaque_depth",
-                .shader = {.vertex = "casters.vert.glsl", .fragment = "bounds.frag.glsl"},
+    Defines defines;
+    if (at_surface) defines.emplace_back("AT_SURFACE", "1");
+    graph_.add({.name = name,
+                .shader = {.vertex = "casters.vert.glsl",
+                           .fragment = "bounds.frag.glsl",
+                           .defines = std::move(defines)},
                 .draws = &lists_.opaque,
                 .view = &light_,
-                .writes = {&opaque_depth},
+                .writes = {&map},
                 .state = {.depth = Depth::less, .clear_depth = 1.f},
-                .on_cpu = [this, &opaque_depth](PassContext& context) {
-                    const std::span<float> depth = context.memory<float>(opaque_depth);
-                    const FragmentSource opaque{casters_, lists_.opaque.shapes(), space_, {}, false,
-                                                false};
+                .on_cpu = [this, &map, at_surface](PassContext& context) {
+                    const std::span<float> depth = context.memory<float>(map);
+                    const FragmentSource opaque{.casters = casters_,
+                                                .shapes = lists_.opaque.shapes(),
+                                                .space = space_,
+                                                .opaque_depth = {},
+                                                .optical_depth = false,
+                                                .surface_margin = !at_surface};
                     for_each_fragment(opaque, [&](const Fragment& fragment) {
                         depth[fragment.texel] = std::min(depth[fragment.texel], fragment.depth);
                     });
                 }});
-    return opaque_depth;
+    return map;
 }
 
 Texture& Frame::add_lighting(const FrameInputs& inputs, const ShadowLookUp& look_up) {

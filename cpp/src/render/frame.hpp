@@ -44,7 +44,8 @@ class Frame {
     void update_sources(const FrameInputs& inputs, const Box& query);
     int map_size_px(const FrameInputs& inputs, double side);
     const Source& add_map_size();
-    Texture& add_opaque_depth();
+    // `at_surface`: where casters are; else moved away from the light (lib/surface.glsl).
+    Texture& add_opaque_depth(const std::string& name, bool at_surface);
     ShadowLookUp add_shadows(const FrameInputs& inputs);
     Texture& add_lighting(const FrameInputs& inputs, const ShadowLookUp& look_up);
     Texture& add_receivers(const RenderSettings& settings);

@@ -74,8 +74,9 @@ void ShadowQuery::look_up_all(PassContext& context, const ShadowLookUp& look_up,
     transmittance_.assign(receivers_.size(), 1.f);
     if (!look_up.on_cpu) return;
     const std::unique_ptr<TexelMap> map = look_up.on_cpu(context);
-    const MapLookUp answers{space, *map, context.memory<float>(*look_up.opaque_depth),
-                            filter_of(technique, space), technique.bias.get()};
+    const OpaqueDepth opaque{context.memory<float>(*look_up.opaque_depth),
+                             context.memory<float>(*look_up.opaque_surface)};
+    const MapLookUp answers{space, *map, opaque, filter_of(technique, space), technique.bias.get()};
     parallel_for((receivers_.size() + receivers_at_once - 1) / receivers_at_once,
                  [&](std::size_t part) {
                      const std::size_t begin = part * receivers_at_once;

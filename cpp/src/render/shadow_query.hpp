@@ -12,7 +12,7 @@ namespace opacity::render {
 // How T is looked up, and the shader that defines shadow_transmittance.
 struct ShadowLookUp : LookUp {
     std::string shader = "techniques/unshadowed.glsl";
-    const Texture* opaque_depth = nullptr;
+    const Texture *opaque_depth = nullptr, *opaque_surface = nullptr;
 };
 
 class ShadowQuery {
