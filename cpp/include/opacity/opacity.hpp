@@ -11,8 +11,10 @@
 #include "opacity/scene/camera.hpp"
 #include "opacity/scene/light.hpp"
 #include "opacity/scene/mesh.hpp"
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/scene.hpp"
 #include "opacity/scene/strands.hpp"
+#include "opacity/scene/volume.hpp"
 // files and generated scenes
 #include "opacity/io/load.hpp"
 // truth by rays

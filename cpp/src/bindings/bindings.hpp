@@ -14,6 +14,8 @@ namespace py = pybind11;
 void bind_errors(py::module_& module);
 void bind_params(py::module_& module);
 void bind_shapes(py::module_& module);
+void bind_media(py::module_& module);
+void bind_lights(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_trace(py::module_& module);
 void bind_technique(py::module_& module);

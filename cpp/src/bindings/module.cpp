@@ -9,9 +9,11 @@ PYBIND11_MODULE(_native, module) {
     bind_errors(module);
     bind_params(module);
     bind_shapes(module);
+    bind_media(module);
+    bind_technique(module);
+    bind_lights(module);
     bind_scene(module);
     bind_trace(module);
-    bind_technique(module);
     bind_context(module);
     bind_renderer(module);
     bind_io(module);

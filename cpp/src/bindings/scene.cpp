@@ -13,17 +13,6 @@
 namespace opacity::bindings {
 namespace {
 
-void bind_light(py::module_& module) {
-    py::classh<DirectionalLight>(module, "DirectionalLight")
-        .def(py::init<double3, float3, float>())
-        .def("direction", &DirectionalLight::direction)
-        .def("set_direction", &DirectionalLight::set_direction)
-        .def("color", &DirectionalLight::color)
-        .def("set_color", &DirectionalLight::set_color)
-        .def("intensity", &DirectionalLight::intensity)
-        .def("set_intensity", &DirectionalLight::set_intensity);
-}
-
 void bind_camera(py::module_& module) {
     py::classh<Camera>(module, "Camera")
         .def_static("look_at", &Camera::look_at)
@@ -44,7 +33,6 @@ void bind_camera(py::module_& module) {
 }  // namespace
 
 void bind_scene(py::module_& module) {
-    bind_light(module);
     bind_camera(module);
     py::classh<Scene>(module, "Scene")
         .def(py::init<>())

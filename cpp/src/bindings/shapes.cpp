@@ -1,35 +1,23 @@
-// Strands and meshes. A renderer on another thread may hold a shape's lock while it copies, and its
-// log may want the interpreter: so whoever waits for that lock has let go of the interpreter first.
+// Strands and meshes, and what all shapes share.
 #include <pybind11/stl.h>
 
-#include "bindings/arrays.hpp"
-#include "bindings/bindings.hpp"
+#include <optional>
+#include <tuple>
+
+#include "bindings/shape_lock.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/strands.hpp"
 
 namespace opacity::bindings {
 namespace {
 
-template <class ShapeType, class Get>
-auto copied(const ShapeType& shape, Get get) {
-    const py::gil_scoped_release release;
-    const auto held = shape.lock();
-    return get(shape);
-}
-
-template <class Call>
-void without_interpreter(Call call) {
-    const py::gil_scoped_release release;
-    call();
-}
-
 py::array points_of(const Shape& shape) {
     Positions points = copied(shape, [](const Shape& s) { return s.points(); });
     const auto size = static_cast<py::ssize_t>(points.size());
     return std::visit(
-        [size](auto xyz) {
-            using Number = typename decltype(xyz)::value_type;
-            return take<Number, Number>(std::move(xyz), {size, 3});
+        [size](const auto& xyz) {
+            using Number = typename std::decay_t<decltype(xyz)>::value_type;
+            return take<Number, Number>(xyz, {size, 3});
         },
         points.xyz());
 }
@@ -82,6 +70,7 @@ void bind_placement(Class& shape) {
         .def("set_casts", &Shape::set_casts, py::call_guard<py::gil_scoped_release>())
         .def("receives", &Shape::receives)
         .def("set_receives", &Shape::set_receives, py::call_guard<py::gil_scoped_release>())
+        .def("instance", &Shape::instance, py::call_guard<py::gil_scoped_release>())
         .def("bounds", &bounds_of);
 }
 
@@ -117,9 +106,68 @@ void bind_strands(py::module_& module) {
         .def("segment_count", [](const Strands& self) { return self.segments().size(); });
 }
 
+TextureMapPtr to_map(const std::optional<Array<float>>& image) {
+    if (!image) return {};
+    const int channels = image->ndim() > 2 ? int(image->shape(2)) : 1;
+    return std::make_shared<TextureMap>(
+        TextureMap{int(image->shape(1)), int(image->shape(0)), channels, to_vector(*image)});
+}
+
+py::object from_map(const TextureMapPtr& map) {
+    if (!map) return py::none();
+    std::vector<py::ssize_t> shape{map->height, map->width};
+    if (map->channels > 1) shape.push_back(map->channels);
+    return take<float, float>(map->values, std::move(shape));
+}
+
+std::vector<float2> to_float2s(const py::array& values) {
+    const std::vector<float> floats = to_floats(values);
+    std::vector<float2> pairs(floats.size() / 2);
+    if (!pairs.empty()) std::memcpy(pairs.data(), floats.data(), pairs.size() * sizeof(float2));
+    return pairs;
+}
+
+template <class Class>
+void bind_maps(Class& mesh) {
+    mesh.def("uvs",
+             [](const Mesh& self) {
+                 auto uvs = copied(self, [](const Mesh& m) { return m.uvs(); });
+                 const auto count = static_cast<py::ssize_t>(uvs.size());
+                 return take<float, float2>(std::move(uvs), {count, 2});
+             })
+        .def("set_uvs",
+             [](Mesh& self, const py::array& values) {
+                 std::vector<float2> uvs = to_float2s(values);
+                 without_interpreter([&] { self.set_uvs(std::move(uvs)); });
+             })
+        .def("alpha",
+             [](const Mesh& self) {
+                 const auto [map, mode, cutoff] = copied(self, [](const Mesh& m) {
+                     return std::tuple{m.alpha_map(), m.alpha_mode(), m.alpha_cutoff()};
+                 });
+                 return py::make_tuple(from_map(map), to_string(mode), cutoff);
+             })
+        .def("set_alpha",
+             [](Mesh& self, const std::optional<Array<float>>& image, const std::string& mode,
+                float cutoff) {
+                 TextureMapPtr map = to_map(image);
+                 without_interpreter(
+                     [&] { self.set_alpha(std::move(map), alpha_mode(mode), cutoff); });
+             })
+        .def("color_map",
+             [](const Mesh& self) {
+                 return from_map(copied(self, [](const Mesh& m) { return m.color_map(); }));
+             })
+        .def("set_color_map", [](Mesh& self, const std::optional<Array<float>>& image) {
+            TextureMapPtr map = to_map(image);
+            without_interpreter([&] { self.set_color_map(std::move(map)); });
+        });
+}
+
 void bind_mesh(py::module_& module) {
-    py::classh<Mesh, Shape>(module, "Mesh")
-        .def(py::init(&make<Mesh, std::uint32_t, &to_float3s>))
+    py::classh<Mesh, Shape> mesh(module, "Mesh");
+    bind_maps(mesh);
+    mesh.def(py::init(&make<Mesh, std::uint32_t, &to_float3s>))
         .def("triangles",
              [](const Mesh& self) {
                  std::vector<std::uint32_t> indices = self.triangles();

@@ -38,7 +38,7 @@ std::vector<float> rotation_of(const double4x4& m) {
 void Frame::update_sources(const FrameInputs& inputs, const Box& query) {
     static const DirectionalLight no_light{{0.0, 0.0, -1.0}, {0.f, 0.f, 0.f}, 0.f};
     const auto& lights = inputs.scene.lights();
-    const DirectionalLight& light = lights.empty() ? no_light : *lights.front();
+    const DirectionalLight& light = lights.empty() ? no_light : require_directional(*lights.front());
     lists_.update(inputs.scene);
     space_ = fit_.fit(
         inputs.scene, light, [&](double side) { return map_size_px(inputs, side); }, query);

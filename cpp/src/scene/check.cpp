@@ -51,4 +51,10 @@ std::span<const float> flat(std::span<const float3> values) {
                           : std::span{values[0].data(), 3 * values.size()};
 }
 
+std::span<const float> flat(std::span<const float2> values) {
+    static_assert(sizeof(float2) == 2 * sizeof(float));
+    return values.empty() ? std::span<const float>{}
+                          : std::span{values[0].data(), 2 * values.size()};
+}
+
 }  // namespace opacity

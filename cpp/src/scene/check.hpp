@@ -35,7 +35,8 @@ void check_value(const char* name, float value, const Allowed& allowed);
 // For points and directions: every coordinate at most max_coordinate in size.
 void check_vector(const char* name, const double3& vector);
 
-// The same numbers, three to an element.
+// The same numbers, one after the other.
 std::span<const float> flat(std::span<const float3> values);
+std::span<const float> flat(std::span<const float2> values);
 
 }  // namespace opacity

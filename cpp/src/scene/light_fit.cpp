@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "opacity/core/error.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "scene/bias.hpp"
 
@@ -53,6 +55,13 @@ double4x4 to_texels(const double4x4& rotation, const Box& box, int map_size_px,
 }
 
 }  // namespace
+
+const DirectionalLight& require_directional(const Light& light) {
+    if (const auto* directional = dynamic_cast<const DirectionalLight*>(&light))
+        return *directional;
+    throw ParameterError(std::string{"a light is a "} + light.kind() + " light",
+                         "use a DirectionalLight");
+}
 
 double4x4 light_rotation(const double3& direction) {
     const auto smallest = [&] {

@@ -14,6 +14,9 @@ namespace opacity {
 // World to a frame whose z axis is the light's direction, of length 1; x and y are the map's axes.
 double4x4 light_rotation(const double3& direction);
 
+// ParameterError for another kind of light.
+const DirectionalLight& require_directional(const Light& light);
+
 class LightFit {
    public:
     // Texels along a side of the map, for a map that spans so many world units.

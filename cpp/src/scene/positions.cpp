@@ -20,7 +20,7 @@ std::size_t Positions::first_bad() const {
             });
             return static_cast<std::size_t>(bad - xyz.begin()) / 3;
         },
-        xyz_);
+        *xyz_);
 }
 
 std::vector<float> Positions::relative_to(const double3& origin, std::span<const float> w) const {
@@ -34,7 +34,7 @@ std::vector<float> Positions::relative_to(const double3& origin, std::span<const
                 result[4 * i + 3] = w[i * stride];
             }
         },
-        xyz_);
+        *xyz_);
     return result;
 }
 

@@ -82,6 +82,20 @@ Shape::Shape(Positions points, std::vector<float> opacity, std::vector<float3> c
     color_ = std::move(color);
 }
 
+Shape::Shape(const Shape& other)
+    : points_{other.points_},
+      point_bounds_{other.point_bounds_},
+      revisions_{.geometry = other.revisions_.geometry,
+                 .opacity = other.revisions_.opacity,
+                 .color = other.revisions_.color},
+      min_opacity_{other.min_opacity_},
+      max_opacity_{other.max_opacity_},
+      opacity_{other.opacity_},
+      color_{other.color_},
+      transform_{other.transform_},
+      casts_{other.casts_},
+      receives_{other.receives_} {}
+
 void Shape::check_attribute_size(const char* name, std::size_t size) const {
     if (size == 1 || size == points_.size()) return;
     throw ParameterError(std::string{name} + " has " + std::to_string(size) + " entries for " +
@@ -90,6 +104,7 @@ void Shape::check_attribute_size(const char* name, std::size_t size) const {
 }
 
 void Shape::set_points(Positions points) {
+    check_points_are_settable();
     check_points(points);
     const auto held = lock();
     if (points.size() != points_.size())
@@ -105,10 +120,10 @@ void Shape::set_points(Positions points) {
 void Shape::assign_opacity(std::vector<float> opacity) {
     check_attribute_size("opacity", opacity.size());
     check_values("opacity", opacity, unit_interval);
+    const auto [low, high] = std::minmax_element(opacity.begin(), opacity.end());
+    min_opacity_ = opacity.empty() ? 0.f : *low;
+    max_opacity_ = opacity.empty() ? 0.f : *high;
     opacity_ = std::move(opacity);
-    const auto [low, high] = std::minmax_element(opacity_.begin(), opacity_.end());
-    min_opacity_ = opacity_.empty() ? 0.f : *low;
-    max_opacity_ = opacity_.empty() ? 0.f : *high;
 }
 
 void Shape::set_opacity(std::vector<float> opacity) {

@@ -42,19 +42,25 @@ std::vector<std::uint32_t> segments_of(const std::vector<std::int64_t>& offsets)
 
 Strands::Strands(Positions points, std::vector<std::int64_t> offsets, std::vector<float> width,
                  std::vector<float> opacity, std::vector<float3> color)
-    : Shape{std::move(points), std::move(opacity), std::move(color)}, offsets_{std::move(offsets)} {
-    check_offsets(offsets_, points_.size());
-    segments_ = segments_of(offsets_);
+    : Shape{std::move(points), std::move(opacity), std::move(color)} {
+    check_offsets(offsets, points_.size());
+    segments_ = segments_of(offsets);
+    offsets_ = std::move(offsets);
     assign_width(std::move(width));
+}
+
+ShapePtr Strands::instance() const {
+    const auto held = lock();
+    return ShapePtr{new Strands{*this}};
 }
 
 void Strands::assign_width(std::vector<float> width) {
     check_attribute_size("width", width.size());
     check_values("width", width, not_negative);
+    const double sum = std::accumulate(width.begin(), width.end(), 0.0);
+    max_width_ = width.empty() ? 0.f : *std::max_element(width.begin(), width.end());
+    mean_width_ = width.empty() ? 0.f : float(sum / double(width.size()));
     width_ = std::move(width);
-    const double sum = std::accumulate(width_.begin(), width_.end(), 0.0);
-    max_width_ = width_.empty() ? 0.f : *std::max_element(width_.begin(), width_.end());
-    mean_width_ = width_.empty() ? 0.f : float(sum / double(width_.size()));
 }
 
 void Strands::set_width(std::vector<float> width) {

@@ -7,6 +7,7 @@
 
 namespace opacity {
 
+using float2 = std::array<float, 2>;
 using float3 = std::array<float, 3>;
 using float4 = std::array<float, 4>;
 using double3 = std::array<double, 3>;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "opacity/core/math.hpp"
+#include "opacity/core/shared.hpp"
 
 namespace opacity {
 
@@ -17,22 +18,23 @@ inline constexpr double max_coordinate = 1e18;
 
 class Positions {
    public:
+    using Numbers = std::variant<std::vector<float>, std::vector<double>>;
     Positions() = default;
-    // Three numbers a point: x0 y0 z0 x1 ...
-    explicit Positions(std::vector<float> xyz) : xyz_{std::move(xyz)} {}
-    explicit Positions(std::vector<double> xyz) : xyz_{std::move(xyz)} {}
+    // Three numbers a point: x0 y0 z0 x1 ... Copies share them.
+    explicit Positions(std::vector<float> xyz) : xyz_{Numbers{std::move(xyz)}} {}
+    explicit Positions(std::vector<double> xyz) : xyz_{Numbers{std::move(xyz)}} {}
 
     std::size_t size() const {
-        return std::visit([](const auto& v) { return v.size() / 3; }, xyz_);
+        return std::visit([](const auto& v) { return v.size() / 3; }, *xyz_);
     }
     double3 operator[](std::size_t i) const {
         return std::visit(
             [i](const auto& v) {
                 return double3{v[3 * i], v[3 * i + 1], v[3 * i + 2]};
             },
-            xyz_);
+            *xyz_);
     }
-    const std::variant<std::vector<float>, std::vector<double>>& xyz() const { return xyz_; }
+    const Numbers& xyz() const { return *xyz_; }
 
     Box bounds() const;
     // The index of the first point with a coordinate that is NaN or beyond max_coordinate, or
@@ -42,7 +44,7 @@ class Positions {
     std::vector<float> relative_to(const double3& origin, std::span<const float> w) const;
 
    private:
-    std::variant<std::vector<float>, std::vector<double>> xyz_;
+    Shared<Numbers> xyz_;
 };
 
 }  // namespace opacity

@@ -9,8 +9,6 @@
 
 namespace opacity {
 
-using LightPtr = std::shared_ptr<DirectionalLight>;
-
 class Scene {
    public:
     // Each at most once: a shape added twice would cast twice.

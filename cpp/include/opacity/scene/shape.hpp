@@ -1,5 +1,5 @@
-// What strands and meshes share: opacity, colour, a transform, the flags, and one revision for each
-// part that can change alone.
+// What strands, meshes, particles and volumes share: opacity, colour, a transform, the flags, and
+// one revision for each part that can change alone.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "opacity/core/math.hpp"
+#include "opacity/core/shared.hpp"
 #include "opacity/core/source.hpp"
 #include "opacity/scene/positions.hpp"
 
@@ -16,9 +17,12 @@ namespace opacity {
 // Every setter checks first: one that throws a ParameterError leaves the shape as it was.
 class Shape {
    public:
-    Shape(const Shape&) = delete;
     Shape& operator=(const Shape&) = delete;
     virtual ~Shape() = default;
+    // Another shape of the same content, which both share until either gets other: for many copies
+    // of one tree, each with a transform and flags of its own. Equal revisions tell a device that
+    // it holds that content already.
+    virtual std::shared_ptr<Shape> instance() const = 0;
 
     // In the shape's own coordinates, everything that it can cover: widths included.
     Box local_bounds() const { return point_bounds_.padded(margin()); }
@@ -31,8 +35,8 @@ class Shape {
     void set_points(Positions points);  // the number of points stays
 
     // One value for all, or one a point. Opacity in [0, 1], colour linear RGB in [0, 1e9].
-    const std::vector<float>& opacity() const { return opacity_; }
-    const std::vector<float3>& color() const { return color_; }
+    const std::vector<float>& opacity() const { return *opacity_; }
+    const std::vector<float3>& color() const { return *color_; }
     void set_opacity(std::vector<float> opacity);
     void set_color(std::vector<float3> color);
 
@@ -50,13 +54,14 @@ class Shape {
     // Opaque shapes go to the opaque depth map, translucent ones to the opacity maps; a shape whose
     // opacity is 0 everywhere casts nothing.
     virtual bool opaque() const = 0;
-    bool invisible_to_light() const;
+    virtual bool invisible_to_light() const;
     // Whether it keeps light from anything.
     bool is_caster() const { return casts_ && !invisible_to_light() && points_.size() > 0; }
     // Mean width of its strands in world units, which the automatic bias goes by; 0 for a surface.
     virtual double strand_width() const { return 0.0; }
 
-    // One revision for each part: geometry is points, widths and connectivity.
+    // One revision for each part: geometry is points, widths and connectivity, and what decides
+    // where a shape is at all, such as the alpha of a leaf.
     struct Revisions {
         Revision geometry = next_revision(), transform = next_revision(), opacity = next_revision(),
                  color = next_revision(), flags = next_revision();
@@ -67,9 +72,12 @@ class Shape {
 
    protected:
     Shape(Positions points, std::vector<float> opacity, std::vector<float3> color);
+    Shape(const Shape& other);  // for instance(), with the other's lock held
     void check_attribute_size(const char* name, std::size_t size) const;
     // Called with the lock held, after set_points: what is made from the points is made again.
     virtual void points_changed() {}
+    // ParameterError where the points are not the caller's to set.
+    virtual void check_points_are_settable() const {}
 
     Positions points_;
     Box point_bounds_;
@@ -80,8 +88,8 @@ class Shape {
    private:
     void assign_opacity(std::vector<float> opacity);
 
-    std::vector<float> opacity_;
-    std::vector<float3> color_;
+    Shared<std::vector<float>> opacity_;
+    Shared<std::vector<float3>> color_;
     double4x4 transform_ = identity;
     bool casts_ = true, receives_ = true;
     mutable std::mutex mutex_;

@@ -17,26 +17,28 @@ class Strands : public Shape {
     Strands(Positions points, std::vector<std::int64_t> offsets, std::vector<float> width = {0.1f},
             std::vector<float> opacity = {0.3f}, std::vector<float3> color = {{0.6f, 0.4f, 0.25f}});
 
+    ShapePtr instance() const override;
     double margin() const override { return 0.5 * max_width_; }
     const char* kind() const override { return "strands"; }
     bool opaque() const override { return false; }
 
-    const std::vector<std::int64_t>& offsets() const { return offsets_; }
-    const std::vector<float>& width() const { return width_; }
+    const std::vector<std::int64_t>& offsets() const { return *offsets_; }
+    const std::vector<float>& width() const { return *width_; }
     void set_width(std::vector<float> width);
 
-    std::size_t strand_count() const { return offsets_.size() - 1; }
+    std::size_t strand_count() const { return offsets_->size() - 1; }
     // The first point of every segment: a segment joins points[i] and points[i + 1] of one strand.
-    const std::vector<std::uint32_t>& segments() const { return segments_; }
+    const std::vector<std::uint32_t>& segments() const { return *segments_; }
     float mean_width() const { return mean_width_; }
     double strand_width() const override { return mean_width_ * scale(); }
 
    private:
+    Strands(const Strands&) = default;
     void assign_width(std::vector<float> width);
 
-    std::vector<std::int64_t> offsets_;
-    std::vector<float> width_;
-    std::vector<std::uint32_t> segments_;
+    Shared<std::vector<std::int64_t>> offsets_;
+    Shared<std::vector<float>> width_;
+    Shared<std::vector<std::uint32_t>> segments_;
     float max_width_ = 0.f, mean_width_ = 0.f;
 };
 

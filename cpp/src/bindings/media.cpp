@@ -1,0 +1,63 @@
+// Particles and volumes.
+#include <pybind11/stl.h>
+
+#include "bindings/shape_lock.hpp"
+#include "opacity/scene/particles.hpp"
+#include "opacity/scene/volume.hpp"
+
+namespace opacity::bindings {
+namespace {
+
+std::shared_ptr<Particles> make_particles(const py::array& centers, const py::array& radius,
+                                          const py::array& opacity, const py::array& color) {
+    Positions xyz = to_positions(centers);
+    std::vector<float> radii = to_floats(radius), opacities = to_floats(opacity);
+    std::vector<float3> colors = to_float3s(color);
+    const py::gil_scoped_release release;
+    return std::make_shared<Particles>(std::move(xyz), std::move(radii), std::move(opacities),
+                                       std::move(colors));
+}
+
+std::shared_ptr<Volume> make_volume(const py::array& extinction, const double3& origin,
+                                    const double3& spacing, const float3& color) {
+    const Volume::Size size{int(extinction.shape(0)), int(extinction.shape(1)),
+                            int(extinction.shape(2))};
+    std::vector<float> values = to_floats(extinction);
+    const py::gil_scoped_release release;
+    return std::make_shared<Volume>(size, std::move(values), origin, spacing, color);
+}
+
+py::array extinction_of(const Volume& volume) {
+    std::vector<float> values = copied(volume, [](const Volume& v) { return v.extinction(); });
+    const auto& [nz, ny, nx] = volume.size_zyx();
+    return take<float, float>(std::move(values), {nz, ny, nx});
+}
+
+}  // namespace
+
+void bind_media(py::module_& module) {
+    py::classh<Particles, Shape>(module, "Particles")
+        .def(py::init(&make_particles))
+        .def("radius",
+             [](const Particles& self) {
+                 return take(copied(self, [](const Particles& p) { return p.radius(); }));
+             })
+        .def("set_radius", [](Particles& self, const py::array& values) {
+            std::vector<float> radius = to_floats(values);
+            without_interpreter([&] { self.set_radius(std::move(radius)); });
+        });
+    py::classh<Volume, Shape>(module, "Volume")
+        .def(py::init(&make_volume))
+        .def("size_zyx", &Volume::size_zyx)
+        .def("extinction", &extinction_of)
+        .def("set_extinction",
+             [](Volume& self, const py::array& values) {
+                 std::vector<float> extinction = to_floats(values);
+                 without_interpreter([&] { self.set_extinction(std::move(extinction)); });
+             })
+        .def("origin", &Volume::origin)
+        .def("spacing", &Volume::spacing)
+        .def("set_grid", &Volume::set_grid, py::call_guard<py::gil_scoped_release>());
+}
+
+}  // namespace opacity::bindings
