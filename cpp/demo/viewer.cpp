@@ -65,7 +65,7 @@ Stage load_stage(const Options& options) {
             if (shape->casts()) stage.casters.extend(shape->bounds());
         }
     stage.light = std::make_shared<DirectionalLight>(light);
-    stage.scene->add(stage.light);
+    stage.scene->add(LightPtr{stage.light});
     return stage;
 }
 

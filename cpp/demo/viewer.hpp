@@ -13,7 +13,7 @@ namespace opacity::demo {
 // What is looked at, and how light and camera stand to it.
 struct Stage {
     std::shared_ptr<Scene> scene;
-    LightPtr light;
+    std::shared_ptr<DirectionalLight> light;
     Box casters;
     double3 view_direction, up;
 

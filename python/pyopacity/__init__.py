@@ -30,13 +30,13 @@ from pyopacity.errors import (
 )
 from pyopacity.image import save_image
 from pyopacity.io import load
-from pyopacity.light import DirectionalLight
+from pyopacity.light import AreaLight, DirectionalLight, Light, PointLight, SpotLight
 from pyopacity.pass_report import PassReport, Report
 from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.reference_picture import traced_picture
 from pyopacity.renderer import Renderer, transmittance
 from pyopacity.scene import Scene
-from pyopacity.shapes import Mesh, Shape, Strands
+from pyopacity.shapes import Mesh, Particles, Shape, Strands, Volume
 from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
 from pyopacity.trace import trace_backends, trace_transmittance
 
@@ -46,6 +46,7 @@ __version__ = _native.version()
 logging.getLogger("pyopacity").addHandler(logging.NullHandler())
 
 __all__ = [
+    "AreaLight",
     "Bounds",
     "Camera",
     "ContextError",
@@ -54,21 +55,26 @@ __all__ = [
     "Error",
     "FileFormatError",
     "ForkedContextError",
+    "Light",
     "Mesh",
     "OutOfMemoryError",
     "Parameter",
     "ParameterError",
+    "Particles",
     "PassReport",
     "PictureReceivers",
+    "PointLight",
     "Renderer",
     "Report",
     "Scene",
     "ShaderError",
     "Shape",
+    "SpotLight",
     "Strands",
     "Technique",
     "TechniqueInfo",
     "UnknownNameError",
+    "Volume",
     "load",
     "metrics",
     "save_image",

@@ -15,6 +15,7 @@ from pyopacity.errors import ParameterError
 Floats: TypeAlias = npt.NDArray[np.float32] | npt.NDArray[np.float64]
 Number: TypeAlias = float | np.floating[Any] | np.integer[Any]
 Vector: TypeAlias = Sequence[Number] | Floats
+Image: TypeAlias = npt.NDArray[np.float32]
 Attribute: TypeAlias = Number | Floats
 Color: TypeAlias = Vector
 Value: TypeAlias = bool | int | float | str
@@ -157,6 +158,13 @@ def colors(name: str, value: object) -> Floats:
     if not isinstance(value, tuple | list | np.ndarray):
         raise wrong(name, value, "three numbers, or a float32 or float64 array of shape (N, 3)")
     return np.array([vector(name, value)])
+
+
+def image(name: str, value: object, shape: tuple[str | int, ...]) -> Image | None:
+    """A picture that lies on a surface, float32, or None."""
+    if value is None:
+        return None
+    return floats(name, value, shape).astype(np.float32, copy=False)
 
 
 def parameter(name: str, value: object) -> Value:

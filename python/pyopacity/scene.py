@@ -7,10 +7,10 @@ from pyopacity import _arrays, _native
 from pyopacity._attributes import Guarded
 from pyopacity.bounds import Bounds
 from pyopacity.errors import ParameterError
-from pyopacity.light import DirectionalLight
+from pyopacity.light import Light
 from pyopacity.shapes import Shape
 
-Item: TypeAlias = Shape | DirectionalLight
+Item: TypeAlias = Shape | Light
 
 
 class Scene(Guarded):
@@ -25,7 +25,7 @@ class Scene(Guarded):
     __slots__ = ("_lights", "_handle", "_shapes")
     _handle: _native.Scene
     _shapes: list[Shape]
-    _lights: list[DirectionalLight]
+    _lights: list[Light]
 
     def __init__(self, *items: Item | Iterable[Item]) -> None:
         self._handle = _native.Scene()
@@ -62,7 +62,7 @@ class Scene(Guarded):
         return tuple(self._shapes)
 
     @property
-    def lights(self) -> tuple[DirectionalLight, ...]:
+    def lights(self) -> tuple[Light, ...]:
         """The lights in the order in which they were added."""
         return tuple(self._lights)
 
@@ -85,7 +85,7 @@ class Scene(Guarded):
         return checked
 
     def _list_of(self, item: Item) -> list[Item]:
-        is_light = isinstance(item, DirectionalLight)
+        is_light = isinstance(item, Light)
         return self._lights if is_light else self._shapes  # type: ignore[return-value]
 
     def __repr__(self) -> str:
@@ -94,12 +94,12 @@ class Scene(Guarded):
 
 def _flat(items: Item | Iterable[Item]) -> list[Item]:
     """One item or many, all checked before the first is used."""
-    if isinstance(items, Shape | DirectionalLight):
+    if isinstance(items, Shape | Light):
         return [items]
     if not isinstance(items, Iterable):
         raise _arrays.wrong("what a scene holds", items, "shapes, lights, or a list of them")
     flat = list(items)
     for index, item in enumerate(flat):
-        if not isinstance(item, Shape | DirectionalLight):
+        if not isinstance(item, Shape | Light):
             raise _arrays.wrong(f"item {index} of a scene", item, "shapes and lights only")
     return flat

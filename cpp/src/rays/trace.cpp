@@ -162,7 +162,8 @@ std::vector<float> trace(const Scene& scene, const Positions& points, const Trac
     check(scene, points, settings);
     const auto finish = [&] { return watch(1.0), std::move(result); };
     if (scene.lights().empty() || points.size() == 0) return finish();
-    const double3& direction = require_directional(*scene.lights()[std::size_t(settings.light)]).direction();
+    const double3& direction =
+        require_directional(*scene.lights()[std::size_t(settings.light)]).direction();
     const Casters casters = rays::casters_of(scene, light_rotation(direction));
     if (casters.primitive_count() == 0) return finish();
 

@@ -14,7 +14,6 @@ class Technique;
 class Light {
    public:
     virtual ~Light() = default;
-    Light(const Light&) = delete;
     Light& operator=(const Light&) = delete;
     virtual const char* kind() const = 0;
 
@@ -32,6 +31,7 @@ class Light {
 
    protected:
     Light(float3 color, float intensity);
+    Light(const Light&) = default;
 
    private:
     float3 color_;
