@@ -1,12 +1,11 @@
 // Light times what the maps let through.
 #include "technique.glsl"
+#include "lib/lamp.glsl"
 #include "lib/shading.glsl"
 
 in vec3 v_p_vs, v_p_ls, v_color;
 in vec3 v_axis_vs;
 
-uniform vec3 u_to_light_ws;
-uniform mat3 u_camera_rotation;  // world to view
 uniform bool u_receives;
 uniform float u_receiver_width;  // world units: a strand does not shadow its own neighbourhood
 #ifdef MESH
@@ -43,18 +42,26 @@ Receiver receiver() {
     return receiver;
 }
 
+// What arrives, shadowed. What gets no light needs no look-up.
+vec3 shadowed(Arriving arriving, bool faces_light, Receiver receiver) {
+    if (!faces_light || arriving.light == vec3(0.0)) return vec3(0.0);
+    return u_receives ? shadow_transmittance(receiver) * arriving.light : arriving.light;
+}
+
 void main() {
-    float transmittance = u_receives ? shadow_transmittance(receiver()) : 1.0;
     vec3 axis = v_axis_vs * inversesqrt(max(dot(v_axis_vs, v_axis_vs), 1e-30));
     vec3 to_eye = normalize(-v_p_vs);
-    vec3 to_light = u_camera_rotation * u_to_light_ws;
+    Arriving arriving = arriving_at(v_p_vs);
+    Receiver asked = receiver();  // of derivatives: in no branch
 #ifdef STRANDS
-    vec3 color = shade_strand(v_color, axis, to_light, to_eye, transmittance);
+    vec3 light = shadowed(arriving, true, asked);
+    vec3 color = shade_strand(v_color, axis, arriving.to_light, to_eye, light);
 #else
     // Real meshes have holes: whoever looks through one sees the inside lit as an inside.
     vec3 normal = dot(axis, to_eye) < 0.0 ? -axis : axis;
-    vec3 color = u_opaque ? shade_surface(v_color, normal, to_light, to_eye, transmittance)
-                          : shade_translucent(v_color, transmittance);
+    vec3 light = shadowed(arriving, !u_opaque || dot(normal, arriving.to_light) > 0.0, asked);
+    vec3 color = u_opaque ? shade_surface(v_color, normal, arriving.to_light, to_eye, light)
+                          : shade_translucent(v_color, light);
 #endif
     o_color = vec4(color, 1.0);
 }

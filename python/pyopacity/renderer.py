@@ -180,11 +180,11 @@ class Renderer(HasParameters):
 
     @property
     def light_from_world(self) -> npt.NDArray[np.float64]:
-        """World to the light's map, as the last frame fitted it, (4, 4) float64 by rows.
+        """World to the first light's map, as the last frame fitted it, (4, 4) float64 by rows.
 
         x and y come out in texels, z in 0 .. 1 along the light.
         """
-        return self._engine.light_from_world()
+        return self._engine.light_from_world(0)
 
     def graph_dot(self) -> str:
         """The passes of the last frame and what they read and write, as a Graphviz digraph."""

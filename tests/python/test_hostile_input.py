@@ -246,18 +246,6 @@ def test_nan_points_are_named_by_their_index(renderer: po.Renderer) -> None:
 
 
 @pytest.mark.gl
-def test_a_second_light_is_refused_until_it_is_gone(
-    renderer: po.Renderer, same: Callable[..., bool]
-) -> None:
-    before, second = renderer.render(), po.DirectionalLight()
-    renderer.scene.add(second)
-    with pytest.raises(po.ParameterError, match="2 lights"):
-        renderer.render()
-    renderer.scene.remove(second)
-    assert same(before, renderer.render())
-
-
-@pytest.mark.gl
 def test_the_brightest_picture_is_finite(renderer: po.Renderer) -> None:
     light = renderer.scene.lights[0]
     light.color, light.intensity = (1e9, 1e9, 1e9), 1e9

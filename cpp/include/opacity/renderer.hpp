@@ -55,7 +55,7 @@ struct PictureReceivers {
 
 class Renderer {
    public:
-    // Without a context, a headless one is made. One light at most is rendered by this version.
+    // Without a context, a headless one is made.
     Renderer(std::shared_ptr<Scene> scene, const Camera& camera,
              std::shared_ptr<Technique> technique = {}, std::shared_ptr<gl::Context> context = {});
     // Without OpenGL: transmittance of techniques that have a form in C++, and no pictures.
@@ -79,7 +79,7 @@ class Renderer {
     // The picture: 4 * width * height floats, linear, premultiplied, top row first.
     Image render();
     void render(std::span<float> rgba);
-    // T in [0, 1] at world points: the fraction of the light that arrives there. 1 without a light.
+    // T in [0, 1] at world points: the fraction of one light that arrives there. 1 without a light.
     std::vector<float> transmittance(const Positions& world_points, int light = 0);
     // At a shape's own points; the automatic bias is then that of its own strands.
     std::vector<float> transmittance(const Shape& shape, int light = 0);
@@ -89,7 +89,7 @@ class Renderer {
 
     // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along
     // the light.
-    double4x4 light_from_world() const;
+    double4x4 light_from_world(int light = 0) const;
 
     const Report& report() const;
     // The passes of the last frame and what they read and write, as a Graphviz digraph.

@@ -105,7 +105,9 @@ void bind_renderer(py::module_& module) {
         .def("transmittance_of", &transmittance_of)
         .def("receivers", &receivers)
         .def("light_from_world",
-             [](const Renderer& self) { return from_matrix(self.light_from_world()); })
+             [](const Renderer& self, int light) {
+                 return from_matrix(self.light_from_world(light));
+             })
         .def("report", &report)
         .def("graph_dot", [](const Renderer& self) { return text(self.graph_dot()); })
         .def("read", &read)

@@ -25,9 +25,10 @@ void feed_view(ProgramFeeder& feeder, const View& view, const GpuShape& gpu) {
     glm::dmat4 to_world = to_glm(gpu.transform);
     to_world[3] = to_world * glm::dvec4{gpu.origin[0], gpu.origin[1], gpu.origin[2], 1.0};
     const glm::dmat4 from_local = to_glm(view.from_world()) * to_world;
-    feeder.uniform("u_" + view.name() + "_from_local", to_floats(from_local));
+    const std::string name = "u_" + view.shader_name();
+    feeder.uniform(name + "_from_local", to_floats(from_local));
     const glm::dmat3 normal_from_local = glm::transpose(glm::inverse(glm::dmat3{from_local}));
-    feeder.uniform("u_" + view.name() + "_normal_from_local", to_floats(normal_from_local));
+    feeder.uniform(name + "_normal_from_local", to_floats(normal_from_local));
 }
 
 bool declared(const Pass& pass, const Source& source) {

@@ -1,19 +1,15 @@
-// One frame as data: the passes of the render manager around those of the technique.
+// One frame as data: the passes of the render manager around those of the techniques.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "map/light_casters.hpp"
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/renderer.hpp"
+#include "render/light_maps.hpp"
+#include "render/picture.hpp"
 #include "render/scene_lists.hpp"
-#include "render/shadow_query.hpp"
-#include "scene/light_fit.hpp"
-#include "scene/map_size.hpp"
 
 namespace opacity::render {
 
@@ -30,39 +26,27 @@ class Frame {
     explicit Frame(Device& device) : device_{device}, graph_{device} {}
 
     void render(const FrameInputs& inputs, std::span<float> rgba);
-    std::vector<float> transmittance(const FrameInputs& inputs, const Query& query);
+    // Of the scene's light of that index; of none, if it has none.
+    std::vector<float> transmittance(const FrameInputs& inputs, const Query& query,
+                                     std::size_t light);
     PictureReceivers receivers(const FrameInputs& inputs);
     FrameGraph& graph() { return graph_; }
-    const double4x4& light_from_world() const { return space_.from_world; }
+    // As the last frame fitted it; identity for a light that it did not have.
+    double4x4 light_from_world(std::size_t light) const;
 
    private:
-    // What the goals of a frame are written to.
+    // What the goals of a frame are written to, besides each light's transmittance.
     struct Goals {
-        const Resource &image, &transmittance, &receivers;
+        const Resource &image, &receivers;
     };
-    Goals declare(const FrameInputs& inputs, const Box& query);
-    void update_sources(const FrameInputs& inputs, const Box& query);
-    int map_size_px(const FrameInputs& inputs, double side);
-    const Source& add_map_size();
-    // `at_surface`: where casters are; else moved away from the light (lib/surface.glsl).
-    Texture& add_opaque_depth(const std::string& name, bool at_surface);
-    ShadowLookUp add_shadows(const FrameInputs& inputs);
-    Texture& add_lighting(const FrameInputs& inputs, const ShadowLookUp& look_up);
-    Texture& add_receivers(const RenderSettings& settings);
+    // `query` are points that `asked`, a light, will be asked about.
+    Goals declare(const FrameInputs& inputs, const Box& query = {}, std::size_t asked = 0);
+    void fit_lights(const FrameInputs& inputs, const Box& query, std::size_t asked);
 
     Device& device_;
-    // The passes declared last refer to its parameters.
-    std::shared_ptr<Technique> technique_;
     SceneLists lists_;
-    LightFit fit_;
-    View light_{"light"}, camera_{"camera"};
-    UniformSet lamp_{"light_color"};
-    LightSpace space_;
-    MapSizeRule map_size_rule_;
-    std::string map_size_reason_;  // empty: the caller chose
-    LightCasters casters_;
-    bool own_correction_ = false;
-    ShadowQuery query_;
+    std::vector<std::unique_ptr<LightMaps>> lights_;  // at least one, to be lit by nothing
+    Picture picture_;
     FrameGraph graph_;  // last: it frees its resources while the rest is alive
 };
 

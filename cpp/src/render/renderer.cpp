@@ -62,9 +62,9 @@ struct Renderer::Impl {
 
     render::FrameInputs inputs() const { return {*scene, camera, technique, settings, background}; }
 
-    std::vector<float> transmittance(const Query& query) {
+    std::vector<float> transmittance(const Query& query, int light) {
         const Turn now = turn();
-        return frame->transmittance(inputs(), query);
+        return frame->transmittance(inputs(), query, std::size_t(light));
     }
 
     // The picture is drawn oversampled: both together must fit a texture.
@@ -81,13 +81,10 @@ struct Renderer::Impl {
 
     void check_light(int light) const {
         const int count = int(scene->lights().size());
-        if (count > 1)
-            throw ParameterError("the scene has " + std::to_string(count) + " lights",
-                                 "keep one: this version renders one light");
         if (light < 0 || light >= std::max(count, 1))
             throw ParameterError(
                 "light = " + std::to_string(light) + " of " + std::to_string(count),
-                "count from 0, or add a DirectionalLight to the scene");
+                "count from 0, or add a light to the scene");
     }
 };
 
@@ -170,30 +167,29 @@ void Renderer::render(std::span<float> rgba) {
                                  " floats, the buffer " + std::to_string(rgba.size()),
                              "pass 4 * width * height floats");
     const gl::Context::Use use{impl_->require_context()};
-    impl_->check_light(0);
     impl_->check_size(impl_->settings.antialiasing.get());
     impl_->frame->render(impl_->inputs(), rgba);
 }
 
 std::vector<float> Renderer::transmittance(const Positions& world_points, int light) {
     impl_->check_light(light);
-    return impl_->transmittance(Query::at(world_points, *impl_->scene));
+    return impl_->transmittance(Query::at(world_points, *impl_->scene), light);
 }
 
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
     impl_->check_light(light);
-    return impl_->transmittance(Query::at(shape, *impl_->scene));
+    return impl_->transmittance(Query::at(shape, *impl_->scene), light);
 }
 
 PictureReceivers Renderer::receivers() {
     const gl::Context::Use use{impl_->require_context()};
-    impl_->check_light(0);
     impl_->check_size(1);
     return impl_->frame->receivers(impl_->inputs());
 }
 
-double4x4 Renderer::light_from_world() const {
-    return impl_->frame->light_from_world();
+double4x4 Renderer::light_from_world(int light) const {
+    impl_->check_light(light);
+    return impl_->frame->light_from_world(std::size_t(light));
 }
 const Report& Renderer::report() const {
     return impl_->frame->graph().report();
@@ -209,6 +205,8 @@ void Renderer::set_interrupt_check(std::function<void()> check) {
 }
 void Renderer::needs_recompute() {
     impl_->technique->needs_recompute();
+    for (const LightPtr& light : impl_->scene->lights())
+        if (light->technique()) light->technique()->needs_recompute();
 }
 
 TextureContent Renderer::read(const std::string& name) const {

@@ -17,6 +17,7 @@ struct ShadowLookUp : LookUp {
 
 class ShadowQuery {
    public:
+    explicit ShadowQuery(const std::string& asked) : asked_{asked} {}
     // `technique` and `space` are those of the look-up, and outlive the frame.
     const Resource& add(FrameGraph& graph, const ShadowLookUp& look_up, const Technique& technique,
                         const LightSpace& space);
@@ -34,7 +35,7 @@ class ShadowQuery {
     void look_up_all(PassContext& context, const ShadowLookUp& look_up, const Technique& technique,
                      const LightSpace& space);
 
-    UniformSet asked_{"query_points"};
+    UniformSet asked_;
     std::vector<Receiver> receivers_;
     float receiver_width_ = 0.f;
     std::vector<float> transmittance_;

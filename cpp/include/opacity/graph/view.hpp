@@ -30,7 +30,7 @@ class UniformSet : public Source {
     Uniforms uniforms_;
 };
 
-// Besides its uniforms, every draw gets mat4 u_<name>_from_local.
+// Besides its uniforms, every draw gets mat4 u_<name>_from_local, by its name in GLSL.
 class View : public UniformSet {
    public:
     using UniformSet::UniformSet;

@@ -1,0 +1,118 @@
+#include "render/light_maps.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "map/fragments.hpp"
+
+namespace opacity::render {
+namespace {
+
+std::string scoped(const std::string& scope, const std::string& name) {
+    return scope.empty() ? name : scope + "/" + name;
+}
+
+const DirectionalLight& directional(const Light* light) {
+    static const DirectionalLight no_light{{0.0, 0.0, -1.0}, {0.f, 0.f, 0.f}, 0.f};
+    return light ? require_directional(*light) : no_light;
+}
+
+}  // namespace
+
+LightMaps::LightMaps(const std::string& scope)
+    : scope_{scope}, view_{scoped(scope, "light")}, query_{scoped(scope, "query_points")} {}
+
+void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults& defaults,
+                    const Box& query) {
+    is_lit_ = light != nullptr;
+    technique_ = light && light->technique() ? light->technique() : defaults.technique;
+    own_map_size_px_ = light ? light->map_size() : 0;
+    space_ = fit_.fit(
+        scene, directional(light),
+        [&](double side) { return map_size_px(scene, defaults.map_size, side); }, query);
+    view_.update(space_.from_world, {{"u_light_map_size_px", space_.map_size_px},
+                                     {"u_light_depth_range", float(space_.depth_range)},
+                                     {"u_light_texels_per_unit", float(space_.texels_per_unit)},
+                                     {"u_light_least_bias", float(space_.least_bias)}});
+}
+
+int LightMaps::map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side) {
+    map_size_reason_.clear();
+    if (own_map_size_px_ > 0) return own_map_size_px_;
+    if (!map_size.is_auto()) return map_size.get();
+    const MapSize chosen = map_size_rule_.choose(scene, side, technique_->filter_width.get());
+    map_size_reason_ = std::to_string(chosen.size_px) + " texels: " + chosen.why;
+    return chosen.size_px;
+}
+
+void LightMaps::add_passes(FrameGraph& graph, SceneLists& lists) {
+    std::optional<FrameGraph::Scope> scope;
+    if (!scope_.empty()) scope.emplace(graph, scope_);
+    casters_.collect();
+    look_up_ = add_shadows(graph, lists);
+    if (!map_size_reason_.empty()) look_up_.reads.push_back(&add_map_size(graph, lists));
+    look_up_.reads.push_back(&view_);  // lighting places every vertex in the light's map
+    transmittance_ = &query_.add(graph, look_up_, *technique_, space_);
+}
+
+// Says in the report what was chosen before any pass could be declared, and why.
+const Source& LightMaps::add_map_size(FrameGraph& graph, SceneLists& lists) {
+    auto& size_px = graph.value("map_size", 0);
+    graph.add({.name = "map_size",
+               .only_with = &lists.translucent,
+               .reads = {&view_, &technique_->filter_width},
+               .values = {&size_px},
+               .execute = [this, &size_px](PassContext& context) {
+                   context.set(size_px, space_.map_size_px);
+                   context.note(map_size_reason_);
+               }});
+    return size_px;
+}
+
+ShadowLookUp LightMaps::add_shadows(FrameGraph& graph, SceneLists& lists) {
+    Texture& opaque_depth = add_opaque_depth(graph, lists, false);
+    Texture& opaque_surface = add_opaque_depth(graph, lists, true);
+    if (!is_lit_) return {};
+    const FrameGraph::Scope scope{graph, technique_->name()};
+    const bool has_opaque = !lists.opaque.shapes().empty();
+    const bool paper_deposit = technique_->deposit_rule.is("paper");
+    return {technique_->build(graph, {view_, lists.translucent, opaque_depth, opaque_surface,
+                                      has_opaque, paper_deposit, space_, casters_}),
+            technique_->shader_path(), &opaque_depth, &opaque_surface};
+}
+
+Texture& LightMaps::add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool at_surface) {
+    const std::string name = at_surface ? "opaque_surface" : "opaque_depth";
+    Texture& map = graph.texture(
+        name,
+        {.format = Format::depth32f, .width = space_.map_size_px, .height = space_.map_size_px});
+    Defines defines;
+    if (at_surface) defines.emplace_back("AT_SURFACE", "1");
+    graph.add({.name = name,
+               .shader = {.vertex = "casters.vert.glsl",
+                          .fragment = "bounds.frag.glsl",
+                          .defines = std::move(defines)},
+               .draws = &lists.opaque,
+               .view = &view_,
+               .writes = {&map},
+               .state = {.depth = Depth::less, .clear_depth = 1.f},
+               .on_cpu = [this, &map, &lists, at_surface](PassContext& context) {
+                   const std::span<float> depth = context.memory<float>(map);
+                   const FragmentSource opaque{.casters = casters_,
+                                               .shapes = lists.opaque.shapes(),
+                                               .space = space_,
+                                               .opaque_depth = {},
+                                               .optical_depth = false,
+                                               .surface_margin = !at_surface};
+                   for_each_fragment(opaque, [&](const Fragment& fragment) {
+                       depth[fragment.texel] = std::min(depth[fragment.texel], fragment.depth);
+                   });
+               }});
+    return map;
+}
+
+void LightMaps::ask(const Query& query) {
+    query_.set(receivers_in(space_, query, look_up_.own_correction), query.width);
+}
+
+}  // namespace opacity::render

@@ -1,0 +1,69 @@
+// The maps of one light of a frame: how it is fitted to the scene, the passes that draw them, and
+// the look-up of T in them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "map/light_casters.hpp"
+#include "opacity/graph/frame_graph.hpp"
+#include "opacity/technique.hpp"
+#include "render/scene_lists.hpp"
+#include "render/shadow_query.hpp"
+#include "scene/light_fit.hpp"
+#include "scene/map_size.hpp"
+
+namespace opacity::render {
+
+// What every light has unless it has its own.
+struct LightDefaults {
+    const std::shared_ptr<Technique>& technique;
+    const AutoParam<int>& map_size;
+};
+
+class LightMaps {
+   public:
+    // The names of everything that belongs to the light start with "<scope>/"; of the first light,
+    // whose scope is empty, they are plain.
+    explicit LightMaps(const std::string& scope);
+
+    // As the light and the scene are now; null: a scene without lights. `query` are world points
+    // beyond the scene's receivers that will be asked about.
+    void fit(const Scene& scene, const Light* light, const LightDefaults& defaults,
+             const Box& query);
+    // Declares the passes, after which T can be looked up.
+    void add_passes(FrameGraph& graph, SceneLists& lists);
+
+    const std::string& scope() const { return scope_; }
+    const View& view() const { return view_; }
+    const LightSpace& space() const { return space_; }
+    const ShadowLookUp& look_up() const { return look_up_; }
+    // The light's T at the receivers of a query, once the frame has run for `goal`.
+    const Resource& transmittance_goal() const { return *transmittance_; }
+    void ask(const Query& query);
+    const std::vector<float>& answers() const { return query_.answers(); }
+
+   private:
+    int map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side);
+    const Source& add_map_size(FrameGraph& graph, SceneLists& lists);
+    // `at_surface`: where casters are; else moved away from the light (lib/surface.glsl).
+    Texture& add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool at_surface);
+    ShadowLookUp add_shadows(FrameGraph& graph, SceneLists& lists);
+
+    std::string scope_;
+    // The passes declared last refer to its parameters; null: no light, no shadow.
+    std::shared_ptr<Technique> technique_;
+    bool is_lit_ = false;
+    int own_map_size_px_ = 0;  // 0: the renderer's
+    LightFit fit_;
+    LightSpace space_;
+    View view_;
+    MapSizeRule map_size_rule_;
+    std::string map_size_reason_;  // empty: the caller chose
+    LightCasters casters_;
+    ShadowLookUp look_up_;
+    ShadowQuery query_;
+    const Resource* transmittance_ = nullptr;
+};
+
+}  // namespace opacity::render
