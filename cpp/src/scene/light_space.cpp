@@ -2,6 +2,19 @@
 
 namespace opacity {
 
+double3 LightFace::seen(const double3& q) const {
+    double3 r = offset;
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t i = 0; i < 3; ++i) r[row] += axes[3 * row + i] * q[i];
+    return r;
+}
+
+int LightSpace::columns() const {
+    int columns = 1;
+    while (columns * columns < face_count()) ++columns;
+    return columns;
+}
+
 // It turns, moves and scales along its own axes: the rows of such a matrix are orthogonal.
 double4x4 world_from(const LightSpace& space) {
     const double4x4& m = space.from_world;
