@@ -129,6 +129,8 @@ LightFit::Extent LightFit::measure(const Scene& scene, const double4x4& rotation
 
 LightSpace LightFit::fit(const Scene& scene, const Light& light, const MapSizePx& map_size_px,
                          const Box& query) {
+    if (const auto* positional = dynamic_cast<const PositionalLight*>(&light))
+        return positional_.fit(scene, *positional, map_size_px, query);
     boxes_.forget_absent(scene);
     return fit_directional(scene, require_directional(light), map_size_px, query);
 }

@@ -9,6 +9,7 @@
 #include "opacity/scene/light_space.hpp"
 #include "opacity/scene/scene.hpp"
 #include "scene/light_extent.hpp"
+#include "scene/positional_fit.hpp"
 #include "scene/steady_window.hpp"
 
 namespace opacity {
@@ -43,6 +44,7 @@ class LightFit {
     Window steady_window(const double4x4& rotation, const Window& needed, double depth);
     Extent measure(const Scene& scene, const double4x4& rotation);
 
+    PositionalFit positional_;
     CasterBoxes boxes_;
     // What is held: the axes, a world point in the middle of the window, and its side.
     std::optional<double4x4> rotation_;
