@@ -4,15 +4,23 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "opacity/core/math.hpp"
 
 namespace opacity {
 
+// A picture with the channel that is asked for: 'm' is its alpha, 'l' how light it is, 0 left open.
+struct MaterialMap {
+    std::string file;
+    char channel = 0;
+};
+
 struct Material {
-    float3 color{0.7f, 0.7f, 0.7f};  // a neutral grey
+    std::optional<float3> color;
     float opacity = 1.f;
+    MaterialMap color_map{}, alpha_map{};  // map_Kd, map_d; without a file where there is none
 };
 
 using Materials = std::map<std::string, Material, std::less<>>;

@@ -4,20 +4,21 @@
 #include <set>
 
 #include "io/file.hpp"
+#include "io/model_folder.hpp"
 #include "io/mtl.hpp"
+#include "io/surface.hpp"
 #include "io/text_cursor.hpp"
 #include "opacity/io/load.hpp"
-#include "opacity/scene/mesh.hpp"
 
 namespace opacity {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A point with the normal that it has in one face; without one the normal is `none`.
+// A point with the place on the maps and the normal that it has in one face, or `none`.
 struct Corner {
     static constexpr std::uint32_t none = 0xFFFF'FFFF;
-    std::uint32_t point = 0, normal = none;
+    std::uint32_t point = 0, uv = none, normal = none;
     auto operator<=>(const Corner&) const = default;
 };
 
@@ -30,8 +31,8 @@ struct Part {
 
 class ObjReader {
    public:
-    ObjReader(const fs::path& path, std::string_view text)
-        : cursor_{path, text}, folder_{path.parent_path()} {}
+    ObjReader(const fs::path& path, std::string_view text, const Logger& log)
+        : cursor_{path, text}, folder_{path, log} {}
 
     std::vector<ShapePtr> read();
 
@@ -43,14 +44,17 @@ class ObjReader {
     void read_materials(std::string_view names);
     bool read_material_file(std::string_view name);
     Part& current_part();
-    ShapePtr mesh(Part part) const;
+    Surface surface(const std::string& material);
+    TextureMapPtr alpha_map(const Material& material, PictureMaps* colors);
+    ShapePtr mesh(const Part& part);
 
     TextCursor cursor_;
-    fs::path folder_;
+    ModelFolder folder_;
     std::vector<double3> points_;
+    std::vector<float2> uvs_;
     std::vector<float3> normals_;
     Materials materials_;
-    std::set<std::string, std::less<>> material_files_;
+    std::set<fs::path> material_files_;
     std::string material_;
     std::vector<Part> parts_;
     std::map<std::string, std::size_t, std::less<>> part_of_;
@@ -62,18 +66,22 @@ std::vector<ShapePtr> ObjReader::read() {
         throw cursor_.error("the file ends without a face",
                             "export the model as polygons (f v v v)");
     std::vector<ShapePtr> shapes;
-    for (Part& part : parts_) shapes.push_back(mesh(std::move(part)));
+    for (const Part& part : parts_) shapes.push_back(mesh(part));
     return shapes;
 }
 
-// Everything else - texture coordinates, groups, objects, smoothing, lines, points - changes no
-// shadow.
+// Everything else - groups, objects, smoothing, lines, points - changes no shadow.
 void ObjReader::read_statement(std::string_view keyword) {
     if (keyword == "v") {
         // A weight or a colour may follow; neither moves the point.
         const double x = cursor_.number("v.x"), y = cursor_.number("v.y"),
                      z = cursor_.number("v.z");
         points_.push_back({x, y, z});
+    } else if (keyword == "vt") {
+        const double u = cursor_.number("vt.u");
+        TextCursor ahead = cursor_;
+        const double v = ahead.word().empty() ? 0.0 : cursor_.number("vt.v");
+        uvs_.push_back({float(u), float(1.0 - v)});  // a file counts from the picture's bottom
     } else if (keyword == "vn") {
         const double x = cursor_.number("vn.x"), y = cursor_.number("vn.y"),
                      z = cursor_.number("vn.z");
@@ -103,8 +111,10 @@ Corner ObjReader::read_corner(std::string_view word) const {
     const std::size_t slash = word.find('/');
     Corner corner{index(word.substr(0, slash), points_.size(), "point")};
     if (slash == word.npos) return corner;
-    const std::size_t second = word.find('/', slash + 1);
-    if (second == word.npos) return corner;
+    const std::size_t second = std::min(word.find('/', slash + 1), word.size());
+    const std::string_view uv = word.substr(slash + 1, second - slash - 1);
+    if (!uv.empty()) corner.uv = index(uv, uvs_.size(), "texture coordinate");
+    if (second == word.size()) return corner;
     const std::string_view normal = word.substr(second + 1);
     if (!normal.empty()) corner.normal = index(normal, normals_.size(), "normal");
     return corner;
@@ -129,26 +139,21 @@ std::uint32_t ObjReader::index(std::string_view digits, std::size_t count, const
 // One name, perhaps with spaces, or several.
 void ObjReader::read_materials(std::string_view names) {
     if (read_material_file(names)) return;
+    bool any = false;
     for (std::size_t begin = 0; begin < names.size();) {
         const std::size_t end = std::min(names.find_first_of(" \t", begin), names.size());
-        if (end > begin) read_material_file(names.substr(begin, end - begin));
+        if (end > begin) any |= read_material_file(names.substr(begin, end - begin));
         begin = end + 1;
     }
+    if (!any) folder_.warn_of(names, "is not in its folder");
 }
 
 // False where there is none: models often travel without their .mtl, and a grey one still has its
-// shadow. Only the model's own folder is looked into, so that a model from elsewhere cannot open
-// other files.
+// shadow.
 bool ObjReader::read_material_file(std::string_view name) {
-    const fs::path relative{name};
-    if (relative.has_root_path() ||
-        std::find(relative.begin(), relative.end(), "..") != relative.end())
-        return false;
-    if (material_files_.contains(name)) return true;
-    std::error_code failure;
-    if (!fs::is_regular_file(folder_ / relative, failure)) return false;
-    material_files_.emplace(name);
-    read_mtl(folder_ / relative, materials_);
+    const fs::path path = folder_.find(name);
+    if (path.empty()) return false;
+    if (material_files_.insert(path).second) read_mtl(path, materials_);
     return true;
 }
 
@@ -180,38 +185,72 @@ std::vector<std::uint32_t> triangulated(const Part& part, const std::vector<Corn
     return triangles;
 }
 
-// One vertex for each point and normal that occur together. Sorted rather than hashed: the vertices
-// keep the file's order, and no file, however made, is slow to read.
-ShapePtr ObjReader::mesh(Part part) const {
+// From map_d: the channel that it names, or else the alpha channel if that says anything. Without
+// one, a colour picture that has holes is taken at its word.
+TextureMapPtr ObjReader::alpha_map(const Material& material, PictureMaps* colors) {
+    const auto& [file, channel] = material.alpha_map;
+    if (file.empty()) return colors && colors->alpha_varies() ? colors->alpha() : nullptr;
+    const std::shared_ptr<PictureMaps> maps = folder_.picture(file);
+    if (!maps) return nullptr;
+    const bool alpha = channel == 'm' || (channel == 0 && maps->alpha_varies());
+    return alpha ? maps->alpha() : maps->luminance();
+}
+
+Surface ObjReader::surface(const std::string& name) {
+    const auto found = materials_.find(name);
+    if (found == materials_.end()) return {};
+    const Material& material = found->second;
+    Surface surface;
+    surface.opacity = material.opacity;
+    surface.color = material.color.value_or(neutral_grey);
+    std::shared_ptr<PictureMaps> colors;
+    if (const std::string& file = material.color_map.file; !file.empty()) {
+        colors = folder_.picture(file);
+        surface.color = colors ? material.color.value_or(float3{1, 1, 1}) : neutral_grey;
+        if (colors) surface.color_map = colors->color();
+    }
+    surface.alpha_map = alpha_map(material, colors.get());
+    if (surface.alpha_map) surface.alpha_mode = AlphaMode::mask;
+    return surface;
+}
+
+// One vertex for each point, place on the maps and normal that occur together. Sorted rather than
+// hashed: the vertices keep the file's order, and no file, however made, is slow to read.
+ShapePtr ObjReader::mesh(const Part& part) {
     std::vector<Corner> vertices = part.corners;
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     std::vector<std::uint32_t> triangles = triangulated(part, vertices);
 
+    const auto any = [&](std::uint32_t Corner::*index) {
+        return std::any_of(vertices.begin(), vertices.end(),
+                           [index](const Corner& c) { return c.*index != Corner::none; });
+    };
+    const bool any_normal = any(&Corner::normal), any_uv = any(&Corner::uv);
     std::vector<double> xyz;
     std::vector<float3> normals;
+    std::vector<float2> uvs;
     xyz.reserve(3 * vertices.size());
-    const bool any_normal = std::any_of(vertices.begin(), vertices.end(),
-                                        [](const Corner& c) { return c.normal != Corner::none; });
-    for (const Corner& corner : vertices) {
-        const double3& point = points_[corner.point];
-        xyz.insert(xyz.end(), point.begin(), point.end());
+    for (const auto& [point, uv, normal] : vertices) {
+        xyz.insert(xyz.end(), points_[point].begin(), points_[point].end());
+        if (any_uv) uvs.push_back(uv == Corner::none ? float2{} : uvs_[uv]);
         // A zero normal asks the mesh to make it.
-        if (any_normal)
-            normals.push_back(corner.normal == Corner::none ? float3{} : normals_[corner.normal]);
+        if (any_normal) normals.push_back(normal == Corner::none ? float3{} : normals_[normal]);
     }
-    const auto material = materials_.find(part.material);
-    const Material look = material == materials_.end() ? Material{} : material->second;
-    return std::make_shared<Mesh>(Positions{std::move(xyz)}, std::move(triangles),
-                                  std::move(normals), std::vector{look.opacity},
-                                  std::vector{look.color});
+    const Surface look = surface(part.material);
+    auto mesh =
+        std::make_shared<Mesh>(Positions{std::move(xyz)}, std::move(triangles), std::move(normals),
+                               std::vector{look.opacity}, std::vector{look.color});
+    mesh->set_uvs(std::move(uvs));
+    look.hang_maps_on(*mesh);
+    return mesh;
 }
 
 }  // namespace
 
-std::vector<ShapePtr> load_obj(const fs::path& path) {
+std::vector<ShapePtr> load_obj(const fs::path& path, const Logger& log) {
     const std::string text = read_text(path);
-    return ObjReader{path, text}.read();
+    return ObjReader{path, text, log}.read();
 }
 
 }  // namespace opacity

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/file.hpp"
+#include "io/srgb.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/io/load.hpp"
 
@@ -38,18 +39,13 @@ std::uint8_t byte(float value) {
     return static_cast<std::uint8_t>(std::lround(255.f * clamp01(value)));
 }
 
-// IEC 61966-2-1
-float srgb_from_linear(float linear) {
-    const float c = clamp01(linear);
-    return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1.f / 2.4f) - 0.055f;
-}
-
 std::vector<std::uint8_t> straight_srgb(const Image& image) {
     std::vector<std::uint8_t> bytes(image.rgba.size());
     for (std::size_t i = 0; i < bytes.size(); i += 4) {
         const float alpha = clamp01(image.rgba[i + 3]);
         for (std::size_t c = 0; c < 3; ++c)
-            bytes[i + c] = alpha > 0.f ? byte(srgb_from_linear(image.rgba[i + c] / alpha)) : 0;
+            bytes[i + c] =
+                alpha > 0.f ? byte(srgb_from_linear(clamp01(image.rgba[i + c] / alpha))) : 0;
         bytes[i + 3] = byte(alpha);
     }
     return bytes;

@@ -1,4 +1,5 @@
-// Where messages go that are not errors: OpenGL's debug output, and what a context search tried.
+// Where messages go that are not errors: OpenGL's debug output, what a context search tried, what a
+// model lacks.
 #pragma once
 
 #include <functional>
@@ -8,7 +9,7 @@ namespace opacity {
 
 enum class LogLevel { debug, info, warning, error };
 
-// Called on the thread that renders; must not throw. An empty Logger drops every message.
+// Called on the thread that renders or loads; must not throw. An empty Logger drops every message.
 using Logger = std::function<void(LogLevel, std::string_view message)>;
 
 }  // namespace opacity

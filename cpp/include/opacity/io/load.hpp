@@ -7,19 +7,24 @@
 #include <vector>
 
 #include "opacity/core/image.hpp"
+#include "opacity/core/log.hpp"
 #include "opacity/scene/shape.hpp"
 
 namespace opacity {
 
 // A .hair or .obj file, or "demo:hair" (options as in "demo:hair?segments=1000000&seed=7").
-// FileFormatError for a file that lies about its content; memory never far exceeds the file's size.
-std::vector<ShapePtr> load(const std::string& path_or_name);
+// FileFormatError for a file that lies about its content; memory never far exceeds the file's size,
+// or that of the pictures it names. What a model lacks without harm, such as a picture, is a
+// warning.
+std::vector<ShapePtr> load(const std::string& path_or_name, const Logger& log = {});
 
 // cyHair strands: transparency t becomes opacity 1 - t, thickness the width.
 std::vector<ShapePtr> load_hair(const std::filesystem::path& path);
 // One mesh for each material in use, so that translucent and opaque parts stay apart; polygons
-// become fans. Of the .mtl, colour (Kd) and constant opacity (d, Tr) are read; textures are not.
-std::vector<ShapePtr> load_obj(const std::filesystem::path& path);
+// become fans. Of the .mtl, colour (Kd, map_Kd) and opacity (d, Tr, map_d) are read. A map_d, or a
+// map_Kd with holes in its alpha channel, is a mask with the cutoff .5. A surface whose picture is
+// missing is grey. Only files in the model's own folder are opened.
+std::vector<ShapePtr> load_obj(const std::filesystem::path& path, const Logger& log = {});
 
 // Hair over a head on a ground, in this order, in centimetres with z up; the same for the same seed
 // on every machine. The ground does not cast.
