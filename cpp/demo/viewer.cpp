@@ -59,8 +59,11 @@ Stage load_stage(const Options& options) {
         stage.up = {0, 1, 0};
         if (!options.light) light = z_to_y(light);
     }
+    const Logger log = [](LogLevel, std::string_view message) {
+        std::fprintf(stderr, "opacity_demo: %.*s\n", int(message.size()), message.data());
+    };
     for (const std::string& file : options.files)
-        for (const ShapePtr& shape : load(file)) {
+        for (const ShapePtr& shape : load(file, log)) {
             stage.scene->add(shape);
             if (shape->casts()) stage.casters.extend(shape->bounds());
         }

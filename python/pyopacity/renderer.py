@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import logging
 from collections.abc import Iterator
 from types import TracebackType
 from typing import Any, Literal
@@ -11,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from pyopacity import _arrays, _native
+from pyopacity import _arrays, _log, _native
 from pyopacity._arrays import Floats, Vector
 from pyopacity._attributes import HasParameters, add_parameters
 from pyopacity.camera import Camera
@@ -22,14 +21,6 @@ from pyopacity.scene import Scene
 from pyopacity.shapes import Shape
 from pyopacity.technique import Technique
 from pyopacity.technique import technique as make_technique
-
-_log = logging.getLogger("pyopacity")
-_LEVELS = {
-    "debug": logging.DEBUG,
-    "info": logging.INFO,
-    "warning": logging.WARNING,
-    "error": logging.ERROR,
-}
 
 
 class Renderer(HasParameters):
@@ -311,8 +302,7 @@ class Renderer(HasParameters):
         try:
             yield
         finally:
-            for level, message in self._context.take_messages() if self._context else ():
-                _log.log(_LEVELS[level], message)
+            _log.pass_on(self._context.take_messages() if self._context else ())
 
     def _new_image(self) -> npt.NDArray[np.float32]:
         width, height = self.size

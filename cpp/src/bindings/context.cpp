@@ -5,41 +5,6 @@
 #include "bindings/bindings.hpp"
 
 namespace opacity::bindings {
-namespace {
-
-const char* level_name(LogLevel level) {
-    switch (level) {
-        case LogLevel::debug:
-            return "debug";
-        case LogLevel::info:
-            return "info";
-        case LogLevel::warning:
-            return "warning";
-        default:
-            return "error";
-    }
-}
-
-py::list take_messages(LoggedContext& self) {
-    py::list list;
-    for (const auto& [level, message] : self.messages->take())
-        list.append(py::make_tuple(level_name(level), text(message)));
-    return list;
-}
-
-}  // namespace
-
-void Messages::add(LogLevel level, std::string_view message) noexcept try {
-    const std::lock_guard held{mutex_};
-    if (list_.size() < most_) list_.emplace_back(level, message);
-} catch (...) {
-    // Without memory for a message there is none.
-}
-
-Messages::List Messages::take() {
-    const std::lock_guard held{mutex_};
-    return std::exchange(list_, {});
-}
 
 LoggedContext LoggedContext::headless() {
     auto messages = std::make_shared<Messages>();
@@ -71,8 +36,9 @@ void bind_context(py::module_& module) {
         .def_property_readonly(
             "search", [](const LoggedContext& self) { return self.context->search(); },
             "What was looked at before this context was found, a line each.")
-        .def("take_messages", &take_messages,
-             "What OpenGL said since the last call: (level, message) each.");
+        .def(
+            "take_messages", [](LoggedContext& self) { return self.messages->take(); },
+            "What OpenGL said since the last call: (level, message) each.");
 }
 
 }  // namespace opacity::bindings

@@ -4,18 +4,23 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "bindings/arrays.hpp"
+#include "bindings/messages.hpp"
 
 namespace opacity::bindings {
 namespace {
 
-std::vector<ShapePtr> load_shapes(const std::string& path_or_name) {
+// The shapes, and the warnings that Python passes on: (level, message) each.
+std::pair<std::vector<ShapePtr>, py::list> load_shapes(const std::string& path_or_name) {
     std::vector<ShapePtr> shapes;
+    Messages messages;
     {
         const py::gil_scoped_release release;
-        shapes = load(path_or_name);
+        shapes = load(path_or_name, [&](LogLevel level, std::string_view message) {
+            messages.add(level, message);
+        });
     }
     check_signals();
-    return shapes;
+    return {std::move(shapes), messages.take()};
 }
 
 void save_picture(const std::filesystem::path& path, const Array<float>& rgba) {

@@ -2,7 +2,7 @@
 
 import os
 
-from pyopacity import _native
+from pyopacity import _log, _native
 from pyopacity.errors import ParameterError
 from pyopacity.shapes import Shape, wrap
 
@@ -24,4 +24,6 @@ def load(path: str | os.PathLike[str]) -> list[Shape]:
     name = os.fsencode(path)
     if b"\0" in name:
         raise ParameterError(f"the path {path!r} holds a zero byte", "pass the path of a file")
-    return [wrap(native) for native in _native.load(name)]
+    shapes, messages = _native.load(name)
+    _log.pass_on(messages)
+    return [wrap(native) for native in shapes]
