@@ -68,12 +68,14 @@ const TexelFormat& texel_format(GLenum internal_format) {
 }
 
 Texture::Texture(std::shared_ptr<Context> context, GLenum target, GLenum internal_format, int width,
-                 int height, int layers)
+                 int height, int layers, int levels)
     : target_{target},
       internal_format_{internal_format},
       width_{width},
       height_{height},
-      layers_{layers} {
+      layers_{layers},
+      levels_{levels} {
+    assert(levels == 1 || target == GL_TEXTURE_2D);
     assert(target == GL_TEXTURE_2D || target == GL_TEXTURE_2D_ARRAY || target == GL_TEXTURE_3D);
     const Context::Use use{*context};
     const TexelFormat& format = texel_format(internal_format);
@@ -81,30 +83,30 @@ Texture::Texture(std::shared_ptr<Context> context, GLenum target, GLenum interna
     object_ = TextureObject{context, target};
     const GladGLContext& gl = context->gl();
     if (target == GL_TEXTURE_2D) {
-        gl.TextureStorage2D(name(), 1, internal_format, width, height);
+        gl.TextureStorage2D(name(), levels, internal_format, width, height);
     } else {
         gl.TextureStorage3D(name(), 1, internal_format, width, height, layers);
     }
     check_errors(*context, "allocating a texture of " + size_in_texels(width, height, layers) +
                                " " + format.name + " texels (" + size_text(size_bytes()) + ")");
     set_filter(GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-        gl.TextureParameteri(name(), wrap, GL_CLAMP_TO_EDGE);
-    }
+    set_wrap(GL_CLAMP_TO_EDGE);
 }
 
-std::size_t Texture::size_bytes() const {
-    return texel_format(internal_format_).size_bytes * std::size_t(width_) * std::size_t(height_) *
+std::size_t Texture::size_bytes(int level) const {
+    const auto side = [level](int size) { return std::size_t(std::max(1, size >> level)); };
+    return texel_format(internal_format_).size_bytes * side(width_) * side(height_) *
            std::size_t(layers_);
 }
 
-void Texture::write(std::span<const std::byte> texels) {
-    assert(texels.size() == size_bytes());
+void Texture::write(std::span<const std::byte> texels, int level) {
+    assert(level < levels_ && texels.size() == size_bytes(level));
     const Context::Use use{*object_.context()};
     const GladGLContext& gl = object_.context()->gl();
     const TexelFormat& format = texel_format(internal_format_);
     if (target_ == GL_TEXTURE_2D) {
-        gl.TextureSubImage2D(name(), 0, 0, 0, width_, height_, format.layout, format.type,
+        gl.TextureSubImage2D(name(), level, 0, 0, std::max(1, width_ >> level),
+                             std::max(1, height_ >> level), format.layout, format.type,
                              texels.data());
     } else {
         gl.TextureSubImage3D(name(), 0, 0, 0, 0, width_, height_, layers_, format.layout,
@@ -137,8 +139,16 @@ void Texture::read(std::span<std::byte> texels) const {
 void Texture::set_filter(GLenum filter) {
     const Context::Use use{*object_.context()};
     const GladGLContext& gl = object_.context()->gl();
-    gl.TextureParameteri(name(), GL_TEXTURE_MIN_FILTER, GLint(filter));
+    const bool between_levels = levels_ > 1 && filter == GL_LINEAR;
+    gl.TextureParameteri(name(), GL_TEXTURE_MIN_FILTER,
+                         between_levels ? GL_LINEAR_MIPMAP_LINEAR : GLint(filter));
     gl.TextureParameteri(name(), GL_TEXTURE_MAG_FILTER, GLint(filter));
+}
+
+void Texture::set_wrap(GLenum wrap) {
+    const Context::Use use{*object_.context()};
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        object_.context()->gl().TextureParameteri(name(), axis, GLint(wrap));
 }
 
 void Texture::clear() {

@@ -29,6 +29,11 @@ void feed_view(ProgramFeeder& feeder, const View& view, const GpuShape& gpu) {
     feeder.uniform(name + "_from_local", to_floats(from_local));
     const glm::dmat3 normal_from_local = glm::transpose(glm::inverse(glm::dmat3{from_local}));
     feeder.uniform(name + "_normal_from_local", to_floats(normal_from_local));
+    if (!gpu.extinction.object) return;
+    const glm::dmat4 from_voxels =
+        to_glm(view.from_world()) * to_glm(gpu.transform) * to_glm(gpu.local_from_voxels);
+    feeder.uniform(name + "_from_voxels", to_floats(from_voxels));
+    feeder.uniform("u_voxels_from_" + view.shader_name(), to_floats(glm::inverse(from_voxels)));
 }
 
 bool declared(const Pass& pass, const Source& source) {
@@ -38,12 +43,21 @@ bool declared(const Pass& pass, const Source& source) {
 }  // namespace
 
 void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
-    const auto feed_buffer = [&](const char* name, const GpuPart& part) {
-        if (part.buffer) feeder.buffer(name, part.buffer->name());
+    const auto feed_buffer = [&](const char* name, const GpuBuffer& part) {
+        if (part.object) feeder.buffer(name, part.object->name());
+    };
+    const auto feed_texture = [&](const char* name, const GpuTexture& part) {
+        if (part.object) feeder.texture(name, part.object->name());
     };
     feed_buffer("points", gpu.points);
     feed_buffer("segments", gpu.segments);
     feed_buffer("normals", gpu.normals);
+    feed_buffer("uvs", gpu.uvs);
+    feed_buffer("slabs", gpu.slabs);
+    feed_texture("alpha", gpu.alpha);
+    feed_texture("extinction", gpu.extinction);
+    feeder.uniform("u_voxel_size", std::vector<float>{float(gpu.spacing[0]), float(gpu.spacing[1]),
+                                                      float(gpu.spacing[2])});
     feeder.uniform("u_segment_count", gpu.segment_count);
     feeder.uniform("u_width_scale", gpu.width_scale);
     feeder.uniform("u_receiver_width", gpu.receiver_width);
@@ -53,6 +67,7 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
     }
     if (declared(pass, pass.draws->color)) {
         feed_buffer("color", gpu.color);
+        feed_texture("color_map", gpu.color_map);
         feeder.uniform("u_color_stride", gpu.color_stride);
         feeder.uniform("u_receives", gpu.receives);
         feeder.uniform("u_opaque", gpu.opaque);

@@ -8,9 +8,10 @@
 
 namespace opacity::render {
 
-// Feeds everything that is the shape's own: its buffers as far as the pass declared them, strides,
-// scale, flags, and for the pass's view and every view among its reads the matrices
-// u_<view>_from_local and u_<view>_normal_from_local.
+// Feeds everything that is the shape's own: its buffers and textures as far as the pass declared
+// them, strides, scale, flags, and for the pass's view and every view among its reads the matrices
+// u_<view>_from_local and u_<view>_normal_from_local; of a volume also u_<view>_from_voxels and
+// u_voxels_from_<view>, where a voxel is one unit long.
 void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu);
 
 }  // namespace opacity::render

@@ -140,10 +140,10 @@ void GlDevice::clear(const Pass& pass) {
     gl::check_errors(*context_, "clearing the targets of pass " + pass.name);
 }
 
-gl::Program& GlDevice::program(const Pass& pass, const std::string& shape_kind) {
+gl::Program& GlDevice::program(const Pass& pass, const Defines& shape_defines) {
     if (programs_revision_ != library_.revision()) programs_.clear();
     programs_revision_ = library_.revision();
-    std::unique_ptr<gl::Program>& program = programs_[{pass.shader, shape_kind}];
+    std::unique_ptr<gl::Program>& program = programs_[{pass.shader, shape_defines}];
     if (program) return *program;
     const Shader& shader = pass.shader;
     std::vector<gl::Stage> stages;
@@ -151,7 +151,7 @@ gl::Program& GlDevice::program(const Pass& pass, const std::string& shape_kind) 
     if (!shader.fragment.empty()) stages.push_back({GL_FRAGMENT_SHADER, shader.fragment});
     if (!shader.compute.empty()) stages.push_back({GL_COMPUTE_SHADER, shader.compute});
     Defines defines = shader.defines;
-    if (!shape_kind.empty()) defines.emplace_back(shape_kind, "1");
+    defines.insert(defines.end(), shape_defines.begin(), shape_defines.end());
     gl::Aliases aliases;
     if (!shader.technique.empty()) aliases["technique.glsl"] = shader.technique;
     program = std::make_unique<gl::Program>(context_, library_, stages, defines, aliases);
@@ -170,9 +170,8 @@ void GlDevice::draw(const Pass& pass) {
 
 void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape) {
     const GpuShape& gpu = shapes_.upload(shape);
-    const bool is_strands = gpu.segments.buffer.has_value();
     if (gpu.index_count == 0) return;
-    gl::Program& shader = program(pass, is_strands ? "STRANDS" : "MESH");
+    gl::Program& shader = program(pass, gpu.defines);
     ProgramFeeder feeder{*this, shader};
     feed_shape(feeder, pass, gpu);
     for (const Source* read : pass.reads) read->feed(feeder);
@@ -181,12 +180,12 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape) {
     feeder.require_complete(pass);
 
     gl().UseProgram(shader.name());
-    gl().VertexArrayElementBuffer(vertex_array_.name(), gpu.triangles.buffer->name());
+    gl().VertexArrayElementBuffer(vertex_array_.name(), gpu.indices.object->name());
     gl().DrawElements(GL_TRIANGLES, gpu.index_count, GL_UNSIGNED_INT, nullptr);
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {
-    gl::Program& shader = program(pass, "");
+    gl::Program& shader = program(pass, {});
     ProgramFeeder feeder{*this, shader};
     for (const Source* read : pass.reads) read->feed(feeder);
     for (const Resource* store : pass.stores) feeder.store(*store);
@@ -204,7 +203,7 @@ void GlDevice::resolve(const Pass& pass) {
         if (desc.oversampling == 1 || desc.format == Format::depth32f) continue;
         const Image& image = images_.at(target.texture->name());
         gl::Program& shader =
-            program({.name = "resolve", .shader = {.compute = "resolve.comp.glsl"}}, "");
+            program({.name = "resolve", .shader = {.compute = "resolve.comp.glsl"}}, {});
         shader.set("u_oversampling", desc.oversampling);
         gl().BindTextureUnit(GLuint(*shader.sampler("t_samples")), image.samples->name());
         gl().BindImageTexture(GLuint(*shader.image("i_average")), image.texture.name(), 0, GL_FALSE,

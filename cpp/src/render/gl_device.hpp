@@ -47,7 +47,7 @@ class GlDevice : public Device {
     };
     friend class ProgramFeeder;
 
-    gl::Program& program(const Pass& pass, const std::string& shape_kind);
+    gl::Program& program(const Pass& pass, const Defines& shape_defines);
     // Makes the pass's targets current: without any, a framebuffer of the size of what it stores
     // into.
     void bind_targets(const Pass& pass);
@@ -63,7 +63,7 @@ class GlDevice : public Device {
     std::map<std::string, Image> images_;  // by the resource's name
     std::map<std::string, gl::Buffer> buffers_;
     // By shader and kind of shape; those of an older revision of the shaders are gone.
-    std::map<std::pair<Shader, std::string>, std::unique_ptr<gl::Program>> programs_;
+    std::map<std::pair<Shader, Defines>, std::unique_ptr<gl::Program>> programs_;
     Revision programs_revision_ = 0;
     gl::Framebuffer framebuffer_;
     gl::VertexArray vertex_array_;  // empty: shapes are pulled from storage buffers

@@ -1,6 +1,11 @@
 #include "render/gpu_shapes.hpp"
 
-#include "opacity/scene/mesh.hpp"
+#include <algorithm>
+#include <span>
+
+#include "map/alpha.hpp"
+#include "map/volume_slabs.hpp"
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
 
 namespace opacity::render {
@@ -14,19 +19,22 @@ gl::Buffer make_buffer(const std::shared_ptr<gl::Context>& context, const std::v
     return gl::Buffer{context, content.size() * sizeof(T), content.data()};
 }
 
-// Runs `make` and keeps its buffer when the part was made from another revision.
-template <class Make>
-void refresh(GpuPart& part, Revision revision, Make make) {
-    if (part.buffer && part.revision == revision) return;
-    part.buffer.emplace(make());
-    part.revision = revision;
+gl::Texture make_texture(const std::shared_ptr<gl::Context>& context, GLenum format,
+                         const std::vector<TextureMap>& levels) {
+    gl::Texture texture{context, GL_TEXTURE_2D, format, levels[0].width, levels[0].height, 1,
+                        int(levels.size())};
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        texture.write(std::as_bytes(std::span{levels[level].values}), int(level));
+    texture.set_filter(GL_LINEAR);
+    texture.set_wrap(GL_REPEAT);
+    return texture;
 }
 
-// Two triangles a segment, over its four corners (lib/segment.glsl).
-std::vector<std::uint32_t> ribbon_triangles(std::size_t segment_count) {
+// Two triangles a quadrilateral, of four vertices each (lib/segment.glsl).
+std::vector<std::uint32_t> quad_triangles(std::size_t count) {
     std::vector<std::uint32_t> indices;
-    indices.reserve(6 * segment_count);
-    for (std::uint32_t corner = 0; corner < 4 * segment_count; corner += 4)
+    indices.reserve(6 * count);
+    for (std::uint32_t corner = 0; corner < 4 * count; corner += 4)
         indices.insert(indices.end(),
                        {corner, corner + 1, corner + 2, corner, corner + 2, corner + 3});
     return indices;
@@ -40,13 +48,72 @@ std::vector<float> padded(const std::vector<float3>& vectors) {
     return result;
 }
 
+// OpenGL has textures of 1, 2 and 4 channels.
+TextureMap with_fourth_channel(const TextureMap& rgb) {
+    TextureMap rgba{rgb.width, rgb.height, 4, {}};
+    rgba.values.reserve(rgb.values.size() / 3 * 4);
+    for (std::size_t i = 0; i < rgb.values.size(); i += 3)
+        rgba.values.insert(rgba.values.end(),
+                           {rgb.values[i], rgb.values[i + 1], rgb.values[i + 2], 1.f});
+    return rgba;
+}
+
+// Two vectors a slab (casters/volume.vert.glsl): its first corner and axis, its last corner.
+std::vector<float> slab_corners(const std::vector<Slab>& slabs) {
+    std::vector<float> result;
+    for (const Slab& slab : slabs) {
+        const auto& [begin, end] = std::pair{slab.begin, slab.end};
+        for (const int i : begin) result.push_back(float(i));
+        result.push_back(float(slab.axis));
+        for (const int i : end) result.push_back(float(i));
+        result.push_back(0.f);
+    }
+    return result;
+}
+
+// A voxel is one unit long, and the first begins at 0.
+double4x4 local_from_voxels(const Volume& volume) {
+    const double3 &origin = volume.origin(), &spacing = volume.spacing();
+    double4x4 result = identity;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result[5 * i] = spacing[i];
+        result[4 * i + 3] = origin[i] - 0.5 * spacing[i];
+    }
+    return result;
+}
+
+const char* define_of(const Shape& shape) {
+    if (dynamic_cast<const Strands*>(&shape)) return "STRANDS";
+    if (dynamic_cast<const Particles*>(&shape)) return "PARTICLES";
+    return dynamic_cast<const Volume*>(&shape) ? "VOLUME" : "MESH";
+}
+
+// What lies beside the points in a buffer of four floats each.
+const std::vector<float>& widths_of(const Shape& shape) {
+    static const std::vector<float> none{0.f};
+    if (const auto* strands = dynamic_cast<const Strands*>(&shape)) return strands->width();
+    if (const auto* particles = dynamic_cast<const Particles*>(&shape)) return particles->radius();
+    return none;
+}
+
 }  // namespace
+
+template <class Object, class Make>
+void GpuShapes::refresh(GpuPart<Object>& part, Part kind, Revision revision, Make make) {
+    if (part.object && part.revision == revision) return;
+    std::weak_ptr<Object>& shared = held(part)[{kind, revision}];
+    part.object = shared.lock();
+    if (!part.object) part.object = std::make_shared<Object>(make());
+    shared = part.object;
+    part.revision = revision;
+}
 
 const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     const Shape& shape = *shape_ptr;
     const auto lock = shape.lock();
     GpuShape& gpu = shapes_[&shape];
     // Another shape at the address of one that is gone: no revision of it can match.
+    if (gpu.shape.lock() != shape_ptr) gpu = {};
     gpu.shape = shape_ptr;
     gpu.transform = shape.transform();
     gpu.width_scale = float(shape.scale());
@@ -54,52 +121,96 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     gpu.opaque = shape.opaque();
     gpu.deposits = shape.is_caster() && !gpu.opaque;
     gpu.receiver_width = float(shape.strand_width());
+    gpu.defines = {{define_of(shape), "1"}};
     upload_geometry(gpu, shape);
     upload_appearance(gpu, shape);
     return gpu;
 }
 
-void GpuShapes::upload_geometry(GpuShape& gpu, const Shape& shape) const {
+void GpuShapes::upload_geometry(GpuShape& gpu, const Shape& shape) {
     const Revision now = shape.revisions().geometry;
-    const auto* strands = dynamic_cast<const Strands*>(&shape);
-    const auto* mesh = dynamic_cast<const Mesh*>(&shape);
-    refresh(gpu.points, now, [&] {
+    if (gpu.points.revision != now) {
         const Box bounds = shape.points().bounds();
         gpu.origin = bounds.empty() ? double3{} : bounds.center();
-        static const std::vector<float> no_width = {0.f};
-        return make_buffer(context_, shape.points().relative_to(
-                                         gpu.origin, strands ? strands->width() : no_width));
+    }
+    refresh(gpu.points, Part::points, now, [&] {
+        return make_buffer(context_, shape.points().relative_to(gpu.origin, widths_of(shape)));
     });
-    if (strands)
-        refresh(gpu.segments, now, [&] {
-            gpu.segment_count = int(strands->segments().size());
-            return make_buffer(context_, strands->segments());
-        });
-    if (mesh)
-        refresh(gpu.normals, now, [&] { return make_buffer(context_, padded(mesh->normals())); });
-    refresh(gpu.triangles, now, [&] {
-        const std::vector<std::uint32_t> indices =
-            mesh ? mesh->triangles() : ribbon_triangles(strands->segments().size());
-        gpu.index_count = int(indices.size());
-        return make_buffer(context_, indices);
-    });
+    if (const auto* mesh = dynamic_cast<const Mesh*>(&shape)) return upload_mesh(gpu, *mesh);
+    if (const auto* volume = dynamic_cast<const Volume*>(&shape))
+        return upload_volume(gpu, *volume);
+    std::size_t quads = shape.points().size();  // of particles
+    if (const auto* strands = dynamic_cast<const Strands*>(&shape)) {
+        quads = strands->segments().size();
+        gpu.segment_count = int(quads);
+        refresh(gpu.segments, Part::segments, now,
+                [&] { return make_buffer(context_, strands->segments()); });
+    }
+    gpu.index_count = int(6 * quads);
+    refresh(gpu.indices, Part::indices, now,
+            [&] { return make_buffer(context_, quad_triangles(quads)); });
 }
 
-void GpuShapes::upload_appearance(GpuShape& gpu, const Shape& shape) const {
-    refresh(gpu.opacity, shape.revisions().opacity, [&] {
-        gpu.opacity_stride = shape.opacity().size() > 1 ? 1 : 0;
-        return make_buffer(context_, shape.opacity());
+void GpuShapes::upload_mesh(GpuShape& gpu, const Mesh& mesh) {
+    const Revision now = mesh.revisions().geometry;
+    refresh(gpu.normals, Part::normals, now,
+            [&] { return make_buffer(context_, padded(mesh.normals())); });
+    gpu.index_count = int(mesh.triangles().size());
+    refresh(gpu.indices, Part::indices, now,
+            [&] { return make_buffer(context_, mesh.triangles()); });
+    if (!mesh.uvs().empty())
+        refresh(gpu.uvs, Part::uvs, now, [&] { return make_buffer(context_, mesh.uvs()); });
+    if (!mesh.has_alpha()) return;
+    gpu.defines.emplace_back("ALPHA_MAP", "1");
+    refresh(gpu.alpha, Part::alpha, now,
+            [&] { return make_texture(context_, GL_R32F, coverage_levels(mesh)); });
+}
+
+void GpuShapes::upload_volume(GpuShape& gpu, const Volume& volume) {
+    const Revision now = volume.revisions().geometry;
+    gpu.local_from_voxels = local_from_voxels(volume);
+    gpu.spacing = volume.spacing();
+    refresh(gpu.extinction, Part::extinction, now, [&] {
+        const auto& [nz, ny, nx] = volume.size_zyx();
+        gl::Texture texture{context_, GL_TEXTURE_3D, GL_R32F, nx, ny, nz};
+        texture.write(std::as_bytes(std::span{volume.extinction()}));
+        return texture;
     });
-    refresh(gpu.color, shape.revisions().color, [&] {
-        gpu.color_stride = shape.color().size() > 1 ? 1 : 0;
+    const auto faces = [](const std::vector<Slab>& slabs) { return 6 * slabs.size(); };
+    if (gpu.slabs.revision == now) return;
+    const std::vector<Slab> slabs = slabs_of(volume);
+    gpu.index_count = int(6 * faces(slabs));
+    refresh(gpu.slabs, Part::slabs, now, [&] { return make_buffer(context_, slab_corners(slabs)); });
+    refresh(gpu.indices, Part::indices, now,
+            [&] { return make_buffer(context_, quad_triangles(faces(slabs))); });
+}
+
+void GpuShapes::upload_appearance(GpuShape& gpu, const Shape& shape) {
+    refresh(gpu.opacity, Part::opacity, shape.revisions().opacity,
+            [&] { return make_buffer(context_, shape.opacity()); });
+    gpu.opacity_stride = shape.opacity().size() > 1 ? 1 : 0;
+    gpu.color_stride = shape.color().size() > 1 ? 1 : 0;
+    refresh(gpu.color, Part::color, shape.revisions().color, [&] {
         std::vector<float> flat;
         for (const float3& c : shape.color()) flat.insert(flat.end(), c.begin(), c.end());
         return make_buffer(context_, flat);
+    });
+    const auto* mesh = dynamic_cast<const Mesh*>(&shape);
+    if (!mesh || !mesh->color_map() || mesh->uvs().empty()) {
+        gpu.color_map = {};
+        return;
+    }
+    refresh(gpu.color_map, Part::color_map, shape.revisions().color, [&] {
+        return make_texture(context_, GL_RGBA32F,
+                            texture_levels(with_fourth_channel(*mesh->color_map())));
     });
 }
 
 void GpuShapes::collect() {
     std::erase_if(shapes_, [](const auto& entry) { return entry.second.shape.expired(); });
+    const auto is_gone = [](const auto& entry) { return entry.second.expired(); };
+    std::erase_if(buffers_, is_gone);
+    std::erase_if(textures_, is_gone);
 }
 
 }  // namespace opacity::render

@@ -1,30 +1,43 @@
-// The buffers of each shape, uploaded again only when the part that they hold has changed.
+// The buffers and textures of each shape, uploaded again only when the part that they hold has
+// changed; shapes whose revisions are equal share them.
 #pragma once
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "gl/buffer.hpp"
-#include "opacity/scene/shape.hpp"
+#include "gl/texture.hpp"
+#include "opacity/graph/pass.hpp"
+#include "opacity/scene/mesh.hpp"
+#include "opacity/scene/volume.hpp"
 
 namespace opacity::render {
 
 // One part of a shape in the device's memory, and the revision that it was made from.
+template <class Object>
 struct GpuPart {
     Revision revision = 0;
-    std::optional<gl::Buffer> buffer;
+    std::shared_ptr<Object> object;
 };
+using GpuBuffer = GpuPart<gl::Buffer>;
+using GpuTexture = GpuPart<gl::Texture>;
 
 struct GpuShape {
     std::weak_ptr<const Shape> shape;
     double3 origin{};  // what was subtracted from the points, in float64
-    GpuPart points, segments, triangles, normals, opacity, color;
+    // Points: xyz and a strand's width or a particle's radius.
+    GpuBuffer points, segments, indices, normals, uvs, opacity, color;
+    GpuBuffer slabs;                // of a volume: map/volume_slabs.hpp
+    GpuTexture alpha, color_map;    // of a mesh, with levels; coverage in place of alpha
+    GpuTexture extinction;          // of a volume, x first
+    Defines defines;                // STRANDS, MESH, PARTICLES or VOLUME; ALPHA_MAP
     int segment_count = 0, index_count = 0;
     int opacity_stride = 0, color_stride = 0;
     // Copied while the shape is locked, so that another thread may move it meanwhile.
     double4x4 transform = identity;
+    double4x4 local_from_voxels = identity;  // of a volume: its coordinates from those of voxels
+    double3 spacing{1, 1, 1};
     float width_scale = 1.f;
     float receiver_width = 0.f;  // world units; 0 for a surface
     bool receives = true, opaque = false;
@@ -40,11 +53,37 @@ class GpuShapes {
     void collect();
 
    private:
-    void upload_geometry(GpuShape& gpu, const Shape& shape) const;
-    void upload_appearance(GpuShape& gpu, const Shape& shape) const;
+    enum class Part {
+        points,
+        segments,
+        indices,
+        normals,
+        uvs,
+        opacity,
+        color,
+        slabs,
+        alpha,
+        color_map,
+        extinction
+    };
+    template <class Object>
+    using Held = std::map<std::pair<Part, Revision>, std::weak_ptr<Object>>;
+
+    void upload_geometry(GpuShape& gpu, const Shape& shape);
+    void upload_mesh(GpuShape& gpu, const Mesh& mesh);
+    void upload_volume(GpuShape& gpu, const Volume& volume);
+    void upload_appearance(GpuShape& gpu, const Shape& shape);
+    // Runs `make` and keeps its object when the part was made from another revision, unless
+    // another shape has the same.
+    template <class Object, class Make>
+    void refresh(GpuPart<Object>& part, Part kind, Revision revision, Make make);
+    Held<gl::Buffer>& held(const GpuBuffer&) { return buffers_; }
+    Held<gl::Texture>& held(const GpuTexture&) { return textures_; }
 
     std::shared_ptr<gl::Context> context_;
     std::map<const Shape*, GpuShape> shapes_;
+    Held<gl::Buffer> buffers_;
+    Held<gl::Texture> textures_;
 };
 
 }  // namespace opacity::render

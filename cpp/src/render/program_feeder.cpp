@@ -16,11 +16,14 @@ void ProgramFeeder::resource(const Resource& resource) {
         store(resource);
         return;
     }
-    const std::string name = "t_" + resource.shader_name();
-    fed_.insert(name);
-    if (const auto unit = program_.sampler(name))
-        device_.gl().BindTextureUnit(GLuint(*unit),
-                                     device_.images_.at(resource.name()).texture.name());
+    texture(resource.shader_name(), device_.images_.at(resource.name()).texture.name());
+}
+
+void ProgramFeeder::texture(const std::string& name, unsigned texture) {
+    const std::string sampler = "t_" + name;
+    fed_.insert(sampler);
+    if (const auto unit = program_.sampler(sampler))
+        device_.gl().BindTextureUnit(GLuint(*unit), texture);
 }
 
 void ProgramFeeder::store(const Resource& resource) {

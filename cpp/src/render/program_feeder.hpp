@@ -24,6 +24,8 @@ class ProgramFeeder : public Feeder {
     void store(const Resource& resource);
     // A buffer b_<name> of the shape that is drawn.
     void buffer(const std::string& name, unsigned buffer);
+    // A texture t_<name> of it.
+    void texture(const std::string& name, unsigned texture);
     // ShaderError when the program has an input that was not fed.
     void require_complete(const Pass& pass) const;
 
