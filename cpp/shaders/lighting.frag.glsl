@@ -37,7 +37,7 @@ Receiver receiver() {
 #endif
 #endif
 #ifdef MESH
-    receiver.direction = vec3(surface_slope(dFdx(v_p_ls), dFdy(v_p_ls)), 0.0);
+    receiver.direction = surface_direction(dFdx(v_p_ls), dFdy(v_p_ls));
 #endif
     return receiver;
 }

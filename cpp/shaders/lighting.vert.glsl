@@ -60,21 +60,30 @@ vec3 tangent_at(int segment, int point, bool at_tip) {
 
 #ifdef OWN_CORRECTION
 #include "lib/light.glsl"
+#include "lib/ribbon.glsl"
 
 flat out vec3 v_own_direction;
 out float v_own_width_texels;
 out vec2 v_own_ends;
 
-// Where the strand goes on, it does so for as far as any filter reaches.
-const float endless_texels = 64.0;
+#ifdef LIGHT_FACES
+const float endless = 1e6;  // segments
+#else
+const float endless = endless_texels;
+#endif
 
 void tell_own_segment(int segment, int point, bool at_tip) {
     int root = int(segments[segment]);
     vec3 along = (u_light_from_local * vec4(points[root + 1].xyz - points[root].xyz, 0.0)).xyz;
+#ifdef LIGHT_FACES
+    float texels = 1.0;  // ends are told in segments: a face will know how long one is
+    v_own_direction = along;
+#else
     float texels = max(abs(along.x), abs(along.y));
     v_own_direction = texels > 0.0 ? along / texels : vec3(0.0);
-    v_own_ends = vec2(goes_on(segment, false) ? -endless_texels : at_tip ? -texels : 0.0,
-                      goes_on(segment, true) ? endless_texels : at_tip ? 0.0 : texels);
+#endif
+    v_own_ends = vec2(goes_on(segment, false) ? -endless : at_tip ? -texels : 0.0,
+                      goes_on(segment, true) ? endless : at_tip ? 0.0 : texels);
     v_own_width_texels = points[point].w * u_width_scale * u_light_texels_per_unit;
     v_own_opacity = own_opacity(point);
 }

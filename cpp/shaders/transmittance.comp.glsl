@@ -17,7 +17,11 @@ void main() {
     uint index = invocation_index();
     if (index >= uint(u_receiver_count)) return;
     Query query = queries[index];
-    transmittance[index] = shadow_transmittance(Receiver(query.p_ls.xyz, u_receiver_width, query.direction.w,
-                                                         query.p_ls.w, query.direction.xyz, query.ends.xy,
-                                                         query.ends.z > 0.5));
+    Receiver receiver = point_receiver(query.p_ls.xyz, u_receiver_width);
+    receiver.opacity = query.direction.w;
+    receiver.width_texels = query.p_ls.w;
+    receiver.direction = query.direction.xyz;
+    receiver.ends = query.ends.xy;
+    receiver.on_strand = query.ends.z > 0.5;
+    transmittance[index] = shadow_transmittance(receiver);
 }

@@ -287,18 +287,19 @@ TEST_CASE("a surface's margin is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
     const LightSpace space = some_space();
-    Evaluator evaluator{
-        context,
-        {"#include \"lib/surface.glsl\"\n", 2, 1, "result(0) = surface_margin(given2(0));"}};
+    Evaluator evaluator{context,
+                        {"#include \"lib/surface.glsl\"\n", 2, 1,
+                         "result(0) = surface_margin(given2(0), u_light_texels_per_unit);"}};
     set_space(evaluator, space);
+    const float largest = largest_surface_margin(float(space.texels_per_unit), space.depth_range);
     Random random;
-    Table given{{0, 0}, {1e20f, 1e20f}, {-1e20f, 0}, {largest_surface_margin(space), 0}};
+    Table given{{0, 0}, {1e20f, 1e20f}, {-1e20f, 0}, {largest, 0}};
     for (int i = 0; i < 2000; ++i) {
         const float size = std::pow(10.f, random(-6, 1));
         given.push_back({size * random(-1, 1), size * random(-1, 1)});
     }
     check_agreement(given, evaluator(given), [&](const Row& row) {
-        return Row{surface_margin({row[0], row[1]}, space)};
+        return Row{surface_margin({row[0], row[1]}, largest)};
     });
 }
 
@@ -311,7 +312,7 @@ TEST_CASE("the slope of a triangle gives it the same margin in GLSL and C++") {
                         {"#include \"lib/surface.glsl\"\n", 6, 3,
                          "vec2 slope = surface_slope(given3(0), given3(3));\n"
                          "result(0) = slope.x; result(1) = slope.y;\n"
-                         "result(2) = surface_margin(slope);"}};
+                         "result(2) = surface_margin(slope, u_light_texels_per_unit);"}};
     set_space(evaluator, space);
     Random random;
     Table given;
@@ -322,12 +323,13 @@ TEST_CASE("the slope of a triangle gives it the same margin in GLSL and C++") {
                                      : float(random.below(256) - 128) / 16.f);
         if (row[0] * row[4] - row[1] * row[3] != 0.f) given.push_back(row);
     }
+    const float largest = largest_surface_margin(float(space.texels_per_unit), space.depth_range);
     // A triangle with these two edges, about the middle of the map.
     const auto expected = [&](const Row& e) {
         const double determinant = double(e[0]) * e[4] - double(e[1]) * e[3];
         const double x = (double(e[2]) * e[4] - double(e[1]) * e[5]) / determinant;
         const double y = (double(e[0]) * e[5] - double(e[2]) * e[3]) / determinant;
-        float margin = surface_margin({float(x), float(y)}, space);
+        float margin = surface_margin({float(x), float(y)}, largest);
         triangle_texels(
             {{{16, 16, 0, 0}, {16 + e[0], 16 + e[1], e[2], 0}, {16 + e[3], 16 + e[4], e[5], 0}}},
             space, {0, space.map_size_px},
@@ -337,19 +339,19 @@ TEST_CASE("the slope of a triangle gives it the same margin in GLSL and C++") {
     check_agreement(given, evaluator(given), expected);
     // The light grazes it: beyond every margin.
     const Table grazed = evaluator({{1, 0, 1, 2, 0, 3}, {0, 0, 1, 1, 1, 0}});
-    for (const Row& row : grazed) CHECK(row[2] == largest_surface_margin(space));
+    for (const Row& row : grazed) CHECK(row[2] == largest);
 }
 
 TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
     const LightSpace space = some_space();
-    Evaluator evaluator{
-        context,
-        {"#include \"lib/receiver.glsl\"\n", 12, 2,
-         "Receiver r = Receiver(given3(0), 0.0, given(4), given(3), given3(5), given2(8), false);\n"
-         "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
-         "result(0) = own.depth; result(1) = own.optical_depth;"}};
+    Evaluator evaluator{context,
+                        {"#include \"lib/receiver.glsl\"\n", 12, 2,
+                         "Receiver r = point_receiver(given3(0), 0.0); r.opacity = given(4);\n"
+                         "r.width_texels = given(3); r.direction = given3(5); r.ends = given2(8);\n"
+                         "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
+                         "result(0) = own.depth; result(1) = own.optical_depth;"}};
     set_space(evaluator, space);
     Random random;
     Table given;
@@ -376,7 +378,7 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
                                 .direction = {row[5], row[6], row[7]},
                                 .opacity = row[4],
                                 .ends = {row[8], row[9]}};
-        const OwnDeposit own = own_deposit(receiver, int(row[10]), int(row[11]), space);
+        const OwnDeposit own = own_deposit(seen(receiver, space), int(row[10]), int(row[11]));
         return Row{own.depth, own.optical_depth};
     });
     const auto something = std::ranges::count_if(found, [](const Row& r) { return r[1] > 0.f; });

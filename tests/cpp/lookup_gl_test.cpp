@@ -160,12 +160,15 @@ class BothSides {
    private:
     static Filter filter_of(const Setup& setup) {
         const std::string name = setup.filter;
-        return {filter_kernel(name == "bilinear" ? "box" : name), setup.radius, setup.density};
+        return {filter_kernel(name == "bilinear" ? "box" : name), setup.radius, -1.f,
+                setup.density};
     }
     static harness::Shader shader_of(const Setup& setup) {
         harness::Shader shader{made_up_map, 11, 1,
-                               "Receiver r = Receiver(given3(0), given(3), given(4), given(5), "
-                               "given3(6), given2(9), given(5) > 0.0);\n"
+                               "Receiver r = point_receiver(given3(0), given(3));\n"
+                               "r.opacity = given(4); r.width_texels = given(5);\n"
+                               "r.direction = given3(6); r.ends = given2(9);\n"
+                               "r.on_strand = given(5) > 0.0;\n"
                                "result(0) = shadow_transmittance(r);"};
         shader.defines = {{std::string{"FILTER_"} + setup.filter, "1"}};
         if (setup.density) shader.defines.emplace_back("DENSITY_FILTER", "1");

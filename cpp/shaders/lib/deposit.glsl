@@ -44,6 +44,13 @@ bool covers(out Deposit deposit) {
 #include "lib/surface.glsl"
 
 in float v_depth;
+#ifdef LIGHT_FACES
+flat in int v_face;
+in float v_forward;
+float texels_per_unit() { return texels_per_unit_by(v_face, v_forward); }
+#else
+float texels_per_unit() { return u_light_texels_per_unit; }
+#endif
 #ifdef OPTICAL_DEPTH
 in float v_opacity;
 #endif
@@ -51,7 +58,7 @@ in float v_opacity;
 bool covers(out Deposit deposit) {
     deposit.depth = v_depth;
 #ifndef AT_SURFACE
-    deposit.depth += surface_margin(vec2(dFdx(v_depth), dFdy(v_depth)));
+    deposit.depth += surface_margin(vec2(dFdx(v_depth), dFdy(v_depth)), texels_per_unit());
 #endif
     deposit.optical_depth = 0.0;
 #ifdef OPTICAL_DEPTH

@@ -27,7 +27,7 @@ float depth_at(Receiver receiver, ivec2 texel, float depth) {
     if (receiver.on_strand) return depth;  // it has no plane
     vec2 offset = vec2(texel) + 0.5 - receiver.p_ls.xy;
     vec2 near = clamp(offset, -1.0, 1.0) * clamp(2.0 - abs(offset), 0.0, 1.0);
-    return depth + dot(limited_slope(receiver.direction.xy), offset - near);
+    return depth + dot(limited_slope(receiver.direction.xy, receiver.texels_per_unit), offset - near);
 }
 
 // A map of up to three texels has no border: its outer texels stand for what lies beside them.
@@ -38,10 +38,11 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     depth = depth_at(receiver, texel, depth);
     float optical_depth = 0.0;
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
-        float opaque = receiver.on_strand ? texelFetch(t_opaque_surface, texel, 0).x
-                                          : texelFetch(t_opaque_depth, texel, 0).x;
+        ivec2 place = receiver.corner + texel;
+        float opaque = receiver.on_strand ? texelFetch(t_opaque_surface, place, 0).x
+                                          : texelFetch(t_opaque_depth, place, 0).x;
         if (opaque < min(depth, 1.0)) return;
-        optical_depth = max(0.0, texel_optical_depth(texel, depth, own_deposit(receiver, texel)));
+        optical_depth = max(0.0, texel_optical_depth(place, depth, own_deposit(receiver, texel)));
     }
     taps.lit += weight;
     taps.transmittance += weight * exp(-optical_depth);
@@ -64,13 +65,13 @@ Taps filtered_taps(Receiver receiver, float depth) {
 #elif defined(FILTER_pcf)
     // 4 x 4 points (Bunnell and Pellacini 2004; thesis, section 3.5): at a radius of two texels they
     // are neighbours.
-    float radius = filter_radius_texels(u_light_texels_per_unit);
+    float radius = filter_radius_texels(receiver.texels_per_unit);
     for (int i = 0; i < 16; ++i) {
         vec2 offset = (vec2(i % 4, i / 4) - 1.5) * (0.5 * radius);
         add_tap(taps, receiver, ivec2(floor(p + offset)), depth, 1.0 / 16.0);
     }
 #else
-    float radius = filter_radius_texels(u_light_texels_per_unit);
+    float radius = filter_radius_texels(receiver.texels_per_unit);
     ivec2 first = ivec2(floor(p - radius)), last = ivec2(ceil(p + radius)) - 1;
     for (int y = first.y; y <= last.y; ++y) {
         float weight_y = filter_weight(float(y) - p.y, radius);
@@ -81,7 +82,8 @@ Taps filtered_taps(Receiver receiver, float depth) {
     return taps;
 }
 
-float shadow_transmittance(Receiver receiver) {
+// Through one face of the map.
+float face_transmittance(Receiver receiver) {
     float bias = u_bias < 0.0 ? max(receiver.width, u_light_least_bias) : u_bias;
     float depth = receiver.p_ls.z - bias / u_light_depth_range;
     // Also false for a coordinate that is not finite: T = 1, never NaN. Not precise, a compiler may turn
@@ -97,5 +99,21 @@ float shadow_transmittance(Receiver receiver) {
     return taps.lit / taps.weight * exp(-taps.optical_depth / taps.lit);
 #else
     return taps.transmittance / taps.weight;
+#endif
+}
+
+float shadow_transmittance(Receiver receiver) {
+#ifdef LIGHT_FACES
+    // The mean over the light's points. What is beside or behind a face lies in no shadow.
+    int eyes = LIGHT_FACES / u_light_faces_an_eye;
+    float sum = 0.0;
+    for (int eye = 0; eye < eyes; ++eye) {
+        int face = face_of(eye, receiver.p_ls);
+        bool is_before = seen_by(face, receiver.p_ls).z > least_forward;
+        sum += is_before ? face_transmittance(seen_through(face, receiver)) : 1.0;
+    }
+    return sum / float(eyes);
+#else
+    return face_transmittance(receiver);
 #endif
 }

@@ -6,6 +6,9 @@
 #include "lib/ribbon.glsl"
 #include "lib/surface.glsl"
 
+// With LIGHT_FACES a receiver comes in light coordinates, its strand's direction as the whole segment
+// there, or its surface's normal, and its width as a directional light would have it; seen_through
+// makes of it what one face sees.
 struct Receiver {
     vec3 p_ls;
     float width;         // world units: a strand does not shadow its own neighbourhood; else 0
@@ -15,6 +18,8 @@ struct Receiver {
     vec3 direction;      // of its strand, one texel long on the major axis; surface: xy = slope
     vec2 ends;           // how far its strand reaches both ways, in directions
     bool on_strand;      // no opaque surface that it lies on can shadow itself
+    ivec2 corner;           // the first texel of the face
+    float texels_per_unit;  // 1 / the side of a texel there, in world units
 };
 
 // What a texel holds of the receiver's own caster.
@@ -26,8 +31,41 @@ struct OwnDeposit {
 const OwnDeposit no_own_deposit = OwnDeposit(0.0, 0.0);
 
 Receiver point_receiver(vec3 p_ls, float width) {
-    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false);
+    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, ivec2(0), u_light_texels_per_unit);
 }
+
+// Of a surface that two vectors from the receiver span: what `direction` shall be.
+vec3 surface_direction(vec3 a, vec3 b) {
+#ifdef LIGHT_FACES
+    return cross(a, b);
+#else
+    return vec3(surface_slope(a, b), 0.0);
+#endif
+}
+
+#ifdef LIGHT_FACES
+Receiver seen_through(int face, Receiver receiver) {
+    Receiver seen = receiver;
+    vec3 q = receiver.p_ls, v = receiver.direction;
+    seen.p_ls = place_by(face, q);
+    seen.corner = corner_px(face);
+    seen.texels_per_unit = texels_per_unit_by(face, seen_by(face, q).z);
+    if (receiver.on_strand) {
+        vec3 along = place_change_by(face, q, v);
+        float texels = max(abs(along.x), abs(along.y));
+        seen.direction = texels > 0.0 ? along / texels : vec3(0.0);
+        seen.ends = clamp(receiver.ends * texels, -endless_texels, endless_texels);
+        float width = receiver.width_texels / (u_light_texels_per_unit * u_light_depth_range);
+        seen.width_texels = ribbon_width_by(face, q, v, width);
+    } else if (dot(v, v) > 0.0) {
+        vec3 a = cross(v, abs(v.x) < abs(v.y) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
+        vec3 b = cross(v, a);
+        seen.direction = vec3(surface_slope(place_change_by(face, q, normalize(a)),
+                                            place_change_by(face, q, normalize(b))), 0.0);
+    }
+    return seen;
+}
+#endif
 
 OwnDeposit own_strand_deposit(Receiver receiver, vec2 texel) {
     Coverage coverage;
@@ -41,13 +79,13 @@ OwnDeposit own_strand_deposit(Receiver receiver, vec2 texel) {
 // Where the surface turns away from the light nothing is known of its neighbourhood.
 OwnDeposit own_surface_deposit(Receiver receiver, vec2 texel) {
     vec2 slope = receiver.direction.xy;
-    float margin = surface_margin(slope);
-    if (margin >= largest_surface_margin()) return no_own_deposit;
+    float margin = surface_margin(slope, receiver.texels_per_unit);
+    if (margin >= largest_surface_margin(receiver.texels_per_unit)) return no_own_deposit;
     float depth = receiver.p_ls.z + dot(slope, texel - receiver.p_ls.xy) + margin;
     return OwnDeposit(max(depth, 0.0), optical_depth_of(receiver.opacity));
 }
 
-// `texel` by its index.
+// `texel` by its index in the face.
 OwnDeposit own_deposit(Receiver receiver, ivec2 texel) {
     if (!(receiver.opacity > 0.0)) return no_own_deposit;
     vec2 middle = vec2(texel) + 0.5;

@@ -1,6 +1,9 @@
 // The part of a texel that a strand's ribbon covers, by the deposit rule (docs/accuracy.md). The
 // deposit and the correction of a receiver's own deposit share it. C++: map/ribbon.hpp.
 
+// Where a receiver's strand goes on, it does so for as far as any filter reaches.
+const float endless_texels = 64.0;
+
 struct Coverage {
     float along;   // f: the part of the column that the segment spans
     float across;  // c: the part of the texel that the ribbon covers across the strand

@@ -3,10 +3,12 @@
 // where the slope is unbounded, by eight texels. C++: map/surface.hpp.
 #include "lib/light.glsl"
 
-float largest_surface_margin() { return 8.0 / (u_light_texels_per_unit * u_light_depth_range); }
+float largest_surface_margin(float texels_per_unit) { return 8.0 / (texels_per_unit * u_light_depth_range); }
 
 // `slope` is the change of depth by texel along x and y.
-float surface_margin(vec2 slope) { return min(abs(slope.x) + abs(slope.y), largest_surface_margin()); }
+float surface_margin(vec2 slope, float texels_per_unit) {
+    return min(abs(slope.x) + abs(slope.y), largest_surface_margin(texels_per_unit));
+}
 
 // The slope of the plane that two vectors of light space span; beyond every margin where the light
 // grazes it.
@@ -16,7 +18,7 @@ vec2 surface_slope(vec3 a, vec3 b) {
 }
 
 // No steeper than what the margin makes up for.
-vec2 limited_slope(vec2 slope) {
-    float steepness = abs(slope.x) + abs(slope.y), limit = largest_surface_margin();
+vec2 limited_slope(vec2 slope, float texels_per_unit) {
+    float steepness = abs(slope.x) + abs(slope.y), limit = largest_surface_margin(texels_per_unit);
     return steepness > limit ? slope * (limit / steepness) : slope;
 }

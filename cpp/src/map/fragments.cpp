@@ -56,7 +56,8 @@ void triangle_texels(const std::array<float4, 3>& p, const LightSpace& space, Ro
     const auto [low_y, high_y] = std::minmax({p[0][1], p[1][1], p[2][1]});
     const Rows columns = around(low_x, high_x, {0, space.map_size_px});
     const Rows band = around(low_y, high_y, rows);
-    const float margin = surface_margin(slope_of(p), space);
+    const float margin = surface_margin(
+        slope_of(p), largest_surface_margin(float(space.texels_per_unit), space.depth_range));
     for (int y = band.begin; y < band.end; ++y)
         for (int x = columns.begin; x < columns.end; ++x) {
             const Corner middle{x + 0.5, y + 0.5};

@@ -7,9 +7,10 @@ namespace {
 
 // A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
 // of the receiver the margin of map/surface.hpp takes care of; from two on the slope does.
-float depth_at(const Receiver& receiver, int x, int y, float depth, const LightSpace& space) {
+float depth_at(const SeenReceiver& receiver, int x, int y, float depth) {
     if (receiver.on_strand > 0.f) return depth;  // it has no plane
-    const auto slope = limited_slope({receiver.direction[0], receiver.direction[1]}, space);
+    const Slope slope =
+        limited_slope({receiver.direction[0], receiver.direction[1]}, receiver.largest_margin);
     const auto far = [&](int texel, int axis) {
         const float offset = float(texel) + 0.5f - receiver.p_ls[axis];
         const float near =
@@ -31,18 +32,19 @@ struct MapLookUp::Taps {
 
 // A map of up to three texels has no border: its outer texels stand for what lies beside them.
 // Elsewhere nothing casts outside.
-void MapLookUp::add_tap(Taps& taps, const Receiver& receiver, int x, int y, float depth,
+void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, float depth,
                         float weight) const {
     const int size_px = space_.map_size_px;
     if (size_px < 4) x = std::clamp(x, 0, size_px - 1), y = std::clamp(y, 0, size_px - 1);
     taps.weight += weight;
-    depth = depth_at(receiver, x, y, depth, space_);
+    depth = depth_at(receiver, x, y, depth);
     float optical_depth = 0.f;
     if (x >= 0 && y >= 0 && x < size_px && y < size_px) {
-        const std::size_t texel = std::size_t(y) * size_px + x;
+        const std::size_t texel = std::size_t(receiver.corner_px[1] + y) * space_.width_px() +
+                                  (receiver.corner_px[0] + x);
         const auto& opaque = receiver.on_strand > 0.f ? opaque_depth_.surface : opaque_depth_.moved;
         if (opaque[texel] < std::min(depth, 1.f)) return;
-        const OwnDeposit own = own_deposit(receiver, x, y, space_);
+        const OwnDeposit own = own_deposit(receiver, x, y);
         optical_depth = std::max(0.f, map_.optical_depth(texel, depth, own));
     }
     taps.lit += weight;
@@ -50,7 +52,7 @@ void MapLookUp::add_tap(Taps& taps, const Receiver& receiver, int x, int y, floa
     taps.optical_depth += weight * optical_depth;
 }
 
-MapLookUp::Taps MapLookUp::filtered_taps(const Receiver& receiver, float depth) const {
+MapLookUp::Taps MapLookUp::filtered_taps(const SeenReceiver& receiver, float depth) const {
     Taps taps;
     const float px = receiver.p_ls[0], py = receiver.p_ls[1];
     const auto at = [](float v) { return int(std::floor(v)); };
@@ -58,7 +60,9 @@ MapLookUp::Taps MapLookUp::filtered_taps(const Receiver& receiver, float depth) 
         add_tap(taps, receiver, at(px), at(py), depth, 1.f);
         return taps;
     }
-    const float radius = std::clamp(filter_.radius_texels, 1.f / 1024.f, largest_filter_radius);
+    const float wanted = filter_.width < 0.f ? filter_.radius_texels
+                                             : 0.5f * filter_.width * receiver.texels_per_unit;
+    const float radius = std::clamp(wanted, 1.f / 1024.f, largest_filter_radius);
     if (filter_.kernel == FilterKernel::pcf) {  // at a radius of two texels they are neighbours
         for (int i = 0; i < 16; ++i) {
             const float x = px + (float(i % 4) - 1.5f) * (0.5f * radius);
@@ -78,6 +82,19 @@ MapLookUp::Taps MapLookUp::filtered_taps(const Receiver& receiver, float depth) 
 }
 
 float MapLookUp::transmittance(const Receiver& receiver, float width) const {
+    if (space_.is_parallel()) return face_transmittance(seen(receiver, space_), width);
+    // What is beside or behind a face lies in no shadow.
+    float sum = 0.f;
+    for (int eye = 0; eye < faces_.eye_count(); ++eye) {
+        const MapFace& face = faces_[faces_.face_of(eye, receiver.p_ls)];
+        const bool is_before = face.seen(receiver.p_ls)[2] > least_forward;
+        sum += is_before ? face_transmittance(seen_through(face, receiver, space_), width) : 1.f;
+    }
+    return sum / float(faces_.eye_count());
+}
+
+// Through one face of the map.
+float MapLookUp::face_transmittance(const SeenReceiver& receiver, float width) const {
     const float bias = bias_ < 0.0 ? std::max(width, float(space_.least_bias)) : float(bias_);
     const float depth = receiver.p_ls[2] - bias / float(space_.depth_range);
     const float reach = largest_filter_radius + 1.f, far = float(space_.map_size_px) + reach;

@@ -17,9 +17,10 @@ class TexelMap {
     virtual float optical_depth(std::size_t texel, float depth, const OwnDeposit& own) const = 0;
 };
 
-struct Filter {
+struct Filter {  // as lib/filter.glsl is told it
     FilterKernel kernel = FilterKernel::box;
     float radius_texels = 0.5f;
+    float width = -1.f;    // world units from edge to edge; negative: as the radius says
     bool density = false;  // average optical depth, not T
 };
 
@@ -34,18 +35,25 @@ class MapLookUp {
     // `bias` in world units; negative: automatic.
     MapLookUp(const LightSpace& space, const TexelMap& map, const OpaqueDepth& opaque_depth,
               const Filter& filter, double bias)
-        : space_{space}, map_{map}, opaque_depth_{opaque_depth}, filter_{filter}, bias_{bias} {}
+        : space_{space},
+          faces_{space},
+          map_{map},
+          opaque_depth_{opaque_depth},
+          filter_{filter},
+          bias_{bias} {}
 
-    // T in [0, 1]; `width` as in Query.
+    // T in [0, 1], of a positional light the mean over its points; `width` as in Query.
     float transmittance(const Receiver& receiver, float width) const;
 
    private:
     struct Taps;
-    void add_tap(Taps& taps, const Receiver& receiver, int x, int y, float depth,
+    float face_transmittance(const SeenReceiver& receiver, float width) const;
+    void add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, float depth,
                  float weight) const;
-    Taps filtered_taps(const Receiver& receiver, float depth) const;
+    Taps filtered_taps(const SeenReceiver& receiver, float depth) const;
 
     const LightSpace& space_;
+    MapFaces faces_;
     const TexelMap& map_;
     OpaqueDepth opaque_depth_;
     Filter filter_;

@@ -23,11 +23,10 @@ OwnDeposit own_strand_deposit(const Receiver& receiver, float x, float y) {
 }
 
 // Where the surface turns away from the light nothing is known of its neighbourhood.
-OwnDeposit own_surface_deposit(const Receiver& receiver, float x, float y,
-                               const LightSpace& space) {
-    const std::array<float, 2> slope{receiver.direction[0], receiver.direction[1]};
-    const float margin = surface_margin(slope, space);
-    if (margin >= largest_surface_margin(space)) return {};
+OwnDeposit own_surface_deposit(const SeenReceiver& receiver, float x, float y) {
+    const Slope slope{receiver.direction[0], receiver.direction[1]};
+    const float margin = surface_margin(slope, receiver.largest_margin);
+    if (margin >= receiver.largest_margin) return {};
     const float depth = receiver.p_ls[2] +
                         (slope[0] * (x - receiver.p_ls[0]) + slope[1] * (y - receiver.p_ls[1])) +
                         margin;
@@ -36,11 +35,11 @@ OwnDeposit own_surface_deposit(const Receiver& receiver, float x, float y,
 
 }  // namespace
 
-OwnDeposit own_deposit(const Receiver& receiver, int x, int y, const LightSpace& space) {
+OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y) {
     if (!(receiver.opacity > 0.f)) return {};
     const float middle_x = float(x) + 0.5f, middle_y = float(y) + 0.5f;
     return receiver.width_texels > 0.f ? own_strand_deposit(receiver, middle_x, middle_y)
-                                       : own_surface_deposit(receiver, middle_x, middle_y, space);
+                                       : own_surface_deposit(receiver, middle_x, middle_y);
 }
 
 }  // namespace opacity

@@ -11,6 +11,7 @@ struct OwnDeposit {
     float optical_depth = 0.f;  // 0: nothing
 };
 
-OwnDeposit own_deposit(const Receiver& receiver, int x, int y, const LightSpace& space);
+// Of the texel (x, y) of the receiver's face.
+OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y);
 
 }  // namespace opacity

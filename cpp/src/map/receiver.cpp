@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "map/surface.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/strands.hpp"
 #include "scene/bias.hpp"
@@ -11,14 +12,6 @@
 
 namespace opacity {
 namespace {
-
-double3 minus(const double3& a, const double3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double3 cross(const double3& a, const double3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 float3 to_float(const double3& v) {
     return {float(v[0]), float(v[1]), float(v[2])};
@@ -29,50 +22,120 @@ const T& at_or_only(const std::vector<T>& values, std::size_t i) {
     return values[values.size() > 1 ? i : 0];
 }
 
+// Along a strand, one texel long; before faces, as long as it comes.
+void tell_direction(Receiver& receiver, const double3& along, bool is_parallel) {
+    const double texels = is_parallel ? std::max(std::abs(along[0]), std::abs(along[1])) : 1.0;
+    if (texels > 0.0)
+        receiver.direction = to_float({along[0] / texels, along[1] / texels, along[2] / texels});
+}
+
 // At each point the direction from the one before to the one after.
 void tell_strands(std::vector<Receiver>& list, const std::vector<double3>& p_ls,
-                  const Strands& strands, double texels_per_unit) {
-    const double to_texels = strands.scale() * texels_per_unit;
+                  const Strands& strands, const LightSpace& space) {
+    const double to_texels = strands.scale() * space.texels_per_unit;
+    const float endless = space.is_parallel() ? endless_texels : endless_segments;
     for (std::size_t k = 0; k + 1 < strands.offsets().size(); ++k) {
         const std::size_t root = std::size_t(strands.offsets()[k]);
         const std::size_t end = std::size_t(strands.offsets()[k + 1]);
         for (std::size_t i = root; i < end && end - root > 1; ++i) {
             const double3 along =
                 minus(p_ls[std::min(i + 1, end - 1)], p_ls[i > root ? i - 1 : root]);
-            const double texels = std::max(std::abs(along[0]), std::abs(along[1]));
-            if (!(texels > 0.0)) continue;
-            list[i].direction = to_float({along[0] / texels, along[1] / texels, along[2] / texels});
+            tell_direction(list[i], along, space.is_parallel());
+            if (list[i].direction == float3{}) continue;
             list[i].width_texels = float(at_or_only(strands.width(), i) * to_texels);
-            list[i].ends[0] = i > root ? -endless_texels : 0.f;
-            list[i].ends[1] = i + 1 < end ? endless_texels : 0.f;
+            list[i].ends[0] = i > root ? -endless : 0.f;
+            list[i].ends[1] = i + 1 < end ? endless : 0.f;
             list[i].opacity = at_or_only(strands.opacity(), i);
         }
     }
 }
 
-// The slope of the triangles that meet at each vertex, by their normals' mean in light space.
-void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, const Mesh& mesh,
-               bool corrects) {
-    std::vector<double3> normals(list.size());
+// The mean normal in light coordinates of the triangles that meet at each vertex, by their areas as
+// the light sees them; all turned to one side of the surface.
+std::vector<double3> mean_normals(const std::vector<double3>& p_ls, const Mesh& mesh,
+                                  const LightSpace& space) {
+    const auto away_from_light = [&](const double3& p) -> double3 {
+        if (space.is_parallel()) return {0.0, 0.0, 1.0};
+        return space.faces[0].turned_back(space.faces[0].seen(p));
+    };
+    std::vector<double3> normals(p_ls.size());
     const auto& corners = mesh.triangles();
     for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
         const double3& a = p_ls[corners[t]];
         double3 n = cross(minus(p_ls[corners[t + 1]], a), minus(p_ls[corners[t + 2]], a));
-        if (n[2] < 0.0) n = {-n[0], -n[1], -n[2]};
+        const double3 away = away_from_light(a);
+        if (dot(n, away) < 0.0) n = {-n[0], -n[1], -n[2]};
         for (std::size_t corner = t; corner < t + 3; ++corner)
             for (int axis = 0; axis < 3; ++axis) normals[corners[corner]][axis] += n[axis];
     }
+    return normals;
+}
+
+// The slope of the surface at each vertex; before faces, its normal.
+void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, const Mesh& mesh,
+               const LightSpace& space, bool corrects) {
+    const std::vector<double3> normals = mean_normals(p_ls, mesh, space);
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const double3& n = normals[i];
-        if (!(n[2] > 0.0)) continue;
-        const double3 slope{-n[0] / n[2], -n[1] / n[2], 0.0};
-        if (!(std::abs(slope[0]) + std::abs(slope[1]) < 1e18)) continue;
-        list[i].direction = to_float(slope);
+        double3 told = normals[i];
+        if (space.is_parallel()) {
+            if (!(told[2] > 0.0)) continue;
+            told = {-told[0] / told[2], -told[1] / told[2], 0.0};
+            if (!(std::abs(told[0]) + std::abs(told[1]) < 1e18)) continue;
+        } else {
+            const double length = std::hypot(told[0], told[1], told[2]);
+            if (!(length > 0.0)) continue;
+            told = {told[0] / length, told[1] / length, told[2] / length};
+        }
+        list[i].direction = to_float(told);
         if (corrects) list[i].opacity = at_or_only(mesh.opacity(), i);
     }
 }
 
+float3 unit(const float3& v) {
+    return scaled(v, 1.f / length(v));
+}
+
+// What of the receiver's strand or surface the face sees.
+void see_strand(SeenReceiver& seen, const MapFace& face, const Receiver& receiver,
+                const LightSpace& space) {
+    const float3 along = face.place_change(receiver.p_ls, receiver.direction);
+    const float texels = std::max(std::abs(along[0]), std::abs(along[1]));
+    seen.direction = texels > 0.f ? scaled(along, 1.f / texels) : float3{};
+    for (std::size_t i = 0; i < 2; ++i)
+        seen.ends[i] = std::clamp(receiver.ends[i] * texels, -endless_texels, endless_texels);
+    const float width =
+        receiver.width_texels / (float(space.texels_per_unit) * float(space.depth_range));
+    seen.width_texels = face.ribbon_width(receiver.p_ls, receiver.direction, width);
+}
+
+void see_surface(SeenReceiver& seen, const MapFace& face, const Receiver& receiver) {
+    const float3& normal = receiver.direction;
+    const bool x_is_less = std::abs(normal[0]) < std::abs(normal[1]);
+    const float3 a = cross(normal, x_is_less ? float3{1, 0, 0} : float3{0, 1, 0});
+    const Slope slope = surface_slope(face.place_change(receiver.p_ls, unit(a)),
+                                      face.place_change(receiver.p_ls, unit(cross(normal, a))));
+    seen.direction = {slope[0], slope[1], 0.f};
+}
+
 }  // namespace
+
+SeenReceiver seen(const Receiver& receiver, const LightSpace& space) {
+    const float texels_per_unit = float(space.texels_per_unit);
+    return {
+        receiver, {}, texels_per_unit, largest_surface_margin(texels_per_unit, space.depth_range)};
+}
+
+SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const LightSpace& space) {
+    SeenReceiver seen{receiver, face.corner_px, face.texels_per_unit(face.seen(receiver.p_ls)[2]),
+                      0.f};
+    seen.largest_margin = largest_surface_margin(seen.texels_per_unit, space.depth_range);
+    seen.p_ls = face.place(receiver.p_ls);
+    if (receiver.on_strand > 0.f)
+        see_strand(seen, face, receiver, space);
+    else if (receiver.direction != float3{})
+        see_surface(seen, face, receiver);
+    return seen;
+}
 
 Query Query::at(Positions world_points, const Scene& scene) {
     check_receivers(world_points);
@@ -103,9 +166,9 @@ std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
     const auto* strands = dynamic_cast<const Strands*>(query.own);
     if (strands)
         for (Receiver& receiver : list) receiver.on_strand = 1.f;
-    if (strands && corrects) tell_strands(list, p_ls, *strands, space.texels_per_unit);
+    if (strands && corrects) tell_strands(list, p_ls, *strands, space);
     if (const auto* mesh = dynamic_cast<const Mesh*>(query.own))
-        tell_mesh(list, p_ls, *mesh, corrects);
+        tell_mesh(list, p_ls, *mesh, space, corrects);
     return list;
 }
 

@@ -1,9 +1,13 @@
 // Who asks for T, as lib/receiver.glsl takes it: a point in light space, and what it lies on if
-// that casts too.
+// that casts too. Of a positional light it comes in light coordinates, its strand's direction as
+// the whole segment there, or its surface's normal, and its width as a directional light would have
+// it.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "map/face.hpp"
 #include "opacity/scene/scene.hpp"
 #include "scene/light_fit.hpp"
 
@@ -20,6 +24,17 @@ struct Receiver {
 };
 static_assert(sizeof(Receiver) == 12 * sizeof(float));
 
+// What one face of the map sees of it.
+struct SeenReceiver : Receiver {
+    std::array<int, 2> corner_px{};  // the first texel of the face
+    float texels_per_unit = 1.f;     // there
+    float largest_margin = 0.f;      // of a surface there (map/surface.hpp)
+};
+
+// By a directional light, whose map is one face.
+SeenReceiver seen(const Receiver& receiver, const LightSpace& space);
+SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const LightSpace& space);
+
 // Where T is asked for.
 struct Query {
     Positions world_points;
@@ -31,8 +46,10 @@ struct Query {
     static Query at(const Shape& shape, const Scene& scene);
 };
 
-// Where a strand goes on, it does so for as far as any filter reaches; lighting.vert.glsl.
+// Where a strand goes on, it does so for as far as any filter reaches; lib/ribbon.glsl.
 inline constexpr float endless_texels = 64.f;
+// The same before faces, where ends are told in segments; lighting.vert.glsl.
+inline constexpr float endless_segments = 1e6f;
 
 // `own_correction`: with what the receivers themselves leave in the map.
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,

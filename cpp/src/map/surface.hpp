@@ -10,23 +10,33 @@
 
 namespace opacity {
 
+using Slope = std::array<float, 2>;
+
 // As a part of the depth range.
-inline float largest_surface_margin(const LightSpace& space) {
-    return 8.f / (float(space.texels_per_unit) * float(space.depth_range));
+inline float largest_surface_margin(float texels_per_unit, double depth_range) {
+    return 8.f / (texels_per_unit * float(depth_range));
 }
 
-// `slope` is the change of depth by texel along x and y.
-inline float surface_margin(const std::array<float, 2>& slope, const LightSpace& space) {
-    return std::min(std::abs(slope[0]) + std::abs(slope[1]), largest_surface_margin(space));
+// `slope` is the change of depth by texel along x and y; `largest` as above.
+inline float surface_margin(const Slope& slope, float largest) {
+    return std::min(std::abs(slope[0]) + std::abs(slope[1]), largest);
+}
+
+// The slope of the plane that two vectors of light space span; beyond every margin where the light
+// grazes it.
+template <class Vector>
+Slope surface_slope(const Vector& a, const Vector& b) {
+    const auto x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2];
+    const auto z = a[0] * b[1] - a[1] * b[0];
+    if (!(std::abs(z) > 1e-20)) return {1e20f, 1e20f};
+    return {float(-x / z), float(-y / z)};
 }
 
 // No steeper than what the margin makes up for.
-inline std::array<float, 2> limited_slope(const std::array<float, 2>& slope,
-                                          const LightSpace& space) {
+inline Slope limited_slope(const Slope& slope, float largest) {
     const float steepness = std::abs(slope[0]) + std::abs(slope[1]);
-    const float limit = largest_surface_margin(space);
-    if (!(steepness > limit)) return slope;
-    return {slope[0] * (limit / steepness), slope[1] * (limit / steepness)};
+    if (!(steepness > largest)) return slope;
+    return {slope[0] * (largest / steepness), slope[1] * (largest / steepness)};
 }
 
 }  // namespace opacity

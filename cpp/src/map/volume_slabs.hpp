@@ -1,5 +1,5 @@
-// A volume as the slabs in which it is drawn into maps: across each of its axes, so that light meets
-// them one after the other whatever its direction, and without what is empty around them.
+// A volume as the slabs in which it is drawn into maps: across each of its axes, so that light
+// meets them one after the other whatever its direction, and without what is empty around them.
 #pragma once
 
 #include <array>

@@ -17,12 +17,9 @@ constexpr std::size_t most_receivers = std::size_t{1} << 21;
 constexpr std::size_t receivers_at_once = 4096;
 
 // What the look-up's defines and uniforms say, for its form in C++.
-Filter filter_of(const Technique& technique, const LightSpace& space) {
-    const double width = technique.filter_width.is_auto()
-                             ? 2.0 * technique.filter_radius.get()
-                             : technique.filter_width.get() * space.texels_per_unit;
-    return {filter_kernel(technique.filter.get()), float(0.5 * width),
-            technique.filter_domain.is("density")};
+Filter filter_of(const Technique& technique) {
+    return {filter_kernel(technique.filter.get()), float(technique.filter_radius.get()),
+            float(technique.filter_width.get()), technique.filter_domain.is("density")};
 }
 
 }  // namespace
@@ -76,7 +73,7 @@ void ShadowQuery::look_up_all(PassContext& context, const ShadowLookUp& look_up,
     const std::unique_ptr<TexelMap> map = look_up.on_cpu(context);
     const OpaqueDepth opaque{context.memory<float>(*look_up.opaque_depth),
                              context.memory<float>(*look_up.opaque_surface)};
-    const MapLookUp answers{space, *map, opaque, filter_of(technique, space), technique.bias.get()};
+    const MapLookUp answers{space, *map, opaque, filter_of(technique), technique.bias.get()};
     parallel_for((receivers_.size() + receivers_at_once - 1) / receivers_at_once,
                  [&](std::size_t part) {
                      const std::size_t begin = part * receivers_at_once;

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <string>
 
+#include "core/vector.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "scene/bias.hpp"
 
 namespace opacity {
 namespace {
-
-double3 cross(const double3& a, const double3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 double3 normalized(const double3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);

@@ -9,6 +9,13 @@ double3 LightFace::seen(const double3& q) const {
     return r;
 }
 
+double3 LightFace::turned_back(const double3& r) const {
+    double3 q{};
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t i = 0; i < 3; ++i) q[i] += axes[3 * row + i] * r[row];
+    return q;
+}
+
 int LightSpace::columns() const {
     int columns = 1;
     while (columns * columns < face_count()) ++columns;

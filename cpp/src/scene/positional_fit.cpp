@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "scene/bias.hpp"
 #include "scene/light_fit.hpp"
@@ -24,13 +25,6 @@ constexpr std::array<std::array<double, 9>, 6> cube_axes{{{1, 0, 0, 0, 1, 0, 0, 
                                                           {0, 0, 1, 0, 1, 0, -1, 0, 0},
                                                           {1, 0, 0, 0, 0, -1, 0, 1, 0},
                                                           {1, 0, 0, 0, 0, 1, 0, -1, 0}}};
-
-double3 minus(const double3& a, const double3& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double length(const double3& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
 
 std::array<double3, 8> corners(const Box& box) {
     std::array<double3, 8> result;
@@ -60,7 +54,7 @@ double3 seen_from(const double3& point, const double4x4& rotation, const double3
 bool is_before(const Box& box, const double3& point, const double3& forward) {
     return std::ranges::all_of(corners(box), [&](const double3& corner) {
         const double3 r = minus(corner, point);
-        return r[0] * forward[0] + r[1] * forward[1] + r[2] * forward[2] > 1e-3 * length(r);
+        return dot(r, forward) > 1e-3 * length(r);
     });
 }
 

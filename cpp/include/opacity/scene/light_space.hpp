@@ -26,6 +26,7 @@ struct LightFace {
     bool operator==(const LightFace&) const = default;
 
     double3 seen(const double3& q) const;
+    double3 turned_back(const double3& r) const;  // axes transposed
 };
 
 // Nothing nearer than this before a face, in depth ranges, is seen by it.
