@@ -1,22 +1,68 @@
 #include "scene/receivers.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "opacity/core/error.hpp"
+#include "opacity/scene/particles.hpp"
+#include "opacity/scene/volume.hpp"
 
 namespace opacity {
+namespace {
+
+Positions moved(const Shape& shape, std::size_t count, const auto& local_point) {
+    std::vector<double> world_points;
+    world_points.reserve(3 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double3 p = transform_point(shape.transform(), local_point(i));
+        world_points.insert(world_points.end(), p.begin(), p.end());
+    }
+    return Positions{std::move(world_points)};
+}
+
+std::array<double, 9> voxels_from_world(const Volume& volume) {
+    const double4x4& m = volume.transform();
+    glm::dmat3 from_voxels;  // by columns
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            from_voxels[column][row] = m[4 * row + column] * volume.spacing()[column];
+    const glm::dmat3 inverse = glm::inverse(from_voxels);
+    std::array<double, 9> rows{};
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) rows[3 * row + column] = inverse[column][row];
+    return rows;
+}
+
+}  // namespace
+
+double Receivers::own_half_chord(const double3& direction) const {
+    double fastest = 0.0;  // in voxels per world unit
+    for (std::size_t row = 0; row < 3; ++row) {
+        const double* m = &voxels_from_world[3 * row];
+        fastest = std::max(
+            fastest, std::abs(m[0] * direction[0] + m[1] * direction[1] + m[2] * direction[2]));
+    }
+    return fastest > 0.0 ? 0.5 / fastest : 0.0;
+}
 
 Receivers receivers_on(const Shape& shape) {
     const auto lock = shape.lock();
-    std::vector<double> world_points;
-    world_points.reserve(3 * shape.points().size());
-    for (std::size_t i = 0; i < shape.points().size(); ++i) {
-        const double3 p = transform_point(shape.transform(), shape.points()[i]);
-        world_points.insert(world_points.end(), p.begin(), p.end());
+    Receivers receivers;
+    receivers.strand_width = shape.strand_width();
+    receivers.at_particles = dynamic_cast<const Particles*>(&shape) != nullptr;
+    if (const auto* volume = dynamic_cast<const Volume*>(&shape)) {
+        receivers.voxels_from_world = voxels_from_world(*volume);
+        receivers.world_points = moved(shape, volume->voxel_count(),
+                                       [&](std::size_t i) { return volume->voxel_center(i); });
+    } else {
+        receivers.world_points =
+            moved(shape, shape.points().size(), [&](std::size_t i) { return shape.points()[i]; });
     }
-    return {Positions{std::move(world_points)}, shape.strand_width()};
+    return receivers;
 }
 
 void check_receivers(const Positions& world_points) {
