@@ -40,5 +40,8 @@ TEST_CASE("real models are what their index says") {
     CHECK(is(triangles("opaque/ponytail_head.obj", 1), 17'894));
     CHECK(is(triangles("foliage/cs_selfshadow_tree.obj", 2), 3'702));
     CHECK(is(triangles("foliage/eztree_oak_large.obj", 2), 22'566));
+    CHECK(is(triangles("foliage/cs_selfshadow_plant.obj", 1), 9'884));
+    CHECK(is(triangles("foliage/cs_terrainf_tree.obj", 2), 712));
+    CHECK(is(triangles("foliage/sanmiguel_tree_a_leaves.glb", 3), 151'981));
     CHECK(is(triangles("foliage/urtica_dioica_1.obj", 3), 12'159));
 }

@@ -21,7 +21,8 @@ template <std::vector<ShapePtr> (*read)(const std::filesystem::path&)>
 std::vector<ShapePtr> alone(const std::filesystem::path& path, const Logger&) {
     return read(path);
 }
-constexpr Format formats[] = {{".hair", alone<load_hair>}, {".obj", load_obj}};
+constexpr Format formats[] = {
+    {".hair", alone<load_hair>}, {".obj", load_obj}, {".gltf", load_gltf}, {".glb", load_gltf}};
 
 struct DemoOption {
     const char* name;

@@ -25,6 +25,10 @@ std::vector<ShapePtr> load_hair(const std::filesystem::path& path);
 // map_Kd with holes in its alpha channel, is a mask with the cutoff .5. A surface whose picture is
 // missing is grey. Only files in the model's own folder are opened.
 std::vector<ShapePtr> load_obj(const std::filesystem::path& path, const Logger& log = {});
+// glTF 2.0, .gltf or .glb: each node's meshes at rest as instances with its transform, points as
+// particles. Of a material, base colour and alpha. An extension that the file requires and that is
+// not read is an error that names it; so are sparse accessors.
+std::vector<ShapePtr> load_gltf(const std::filesystem::path& path, const Logger& log = {});
 
 // Hair over a head on a ground, in this order, in centimetres with z up; the same for the same seed
 // on every machine. The ground does not cast.
