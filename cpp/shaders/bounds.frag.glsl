@@ -1,5 +1,12 @@
-// Depth of the casters, for whichever depth test the pass sets: the first one, or with the test
-// reversed the last one.
+// Depth of the casters, for whichever depth test the pass sets: where the first one begins, or with
+// LAST_DEPTH and the test reversed where the last one ends.
 #include "lib/deposit.glsl"
 
-void main() { gl_FragDepth = deposit_or_discard().depth; }
+void main() {
+    Deposit deposit = deposit_or_discard();
+#ifdef LAST_DEPTH
+    gl_FragDepth = deposit.depth_end;
+#else
+    gl_FragDepth = deposit.depth;
+#endif
+}

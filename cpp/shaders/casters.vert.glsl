@@ -1,6 +1,5 @@
-// Casters as the light sees them. A strand becomes the parallelogram that holds every texel which
-// its ribbon touches; lib/deposit.glsl then finds how much of each. Depth is written by the
-// fragment stage, so nothing is clipped in z.
+// Casters as the light sees them, each kind in a file of its own; lib/deposit.glsl then finds how
+// much of a texel they cover. Depth is written by the fragment stage, so nothing is clipped in z.
 #include "lib/light.glsl"
 
 uniform mat4 u_light_from_local;
@@ -17,59 +16,14 @@ uniform int u_opacity_stride;  // 0: one opacity for all
 #endif
 
 #ifdef STRANDS
-#include "lib/segment.glsl"
-
-uniform float u_width_scale;  // shape's units to world units
-
-precise flat out vec3 v_root, v_tip;   // light space
-precise flat out vec2 v_width_texels;  // at both ends
-#ifdef OPTICAL_DEPTH
-flat out vec2 v_opacity;
+#include "casters/strands.vert.glsl"
 #endif
-
-void main() {
-    uint first = segments[segment_index()];
-    vec4 root = points[first], tip = points[first + 1u];
-    v_root = (u_light_from_local * vec4(root.xyz, 1.0)).xyz;
-    v_tip = (u_light_from_local * vec4(tip.xyz, 1.0)).xyz;
-    v_width_texels = vec2(root.w, tip.w) * (u_width_scale * u_light_texels_per_unit);
-#ifdef OPTICAL_DEPTH
-    int i = int(first) * u_opacity_stride;
-    v_opacity = vec2(opacity[i], opacity[i + u_opacity_stride]);
-#endif
-
-    vec2 a = v_root.xy, d = v_tip.xy - v_root.xy;
-    bool steep = abs(d.y) > abs(d.x);
-    if (steep) a = a.yx, d = d.yx;
-    if (d.x == 0.0) {  // along the light: no area, no texel
-        gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
-        return;
-    }
-    float slope = d.y / d.x;
-    float half_width = 0.5 * max(v_width_texels.x, v_width_texels.y) * sqrt(1.0 + slope * slope);
-    float reach = half_width + 0.5 + 1.0 / 64.0;  // more than rasterisers round corners by
-    vec2 corner = segment_corner();
-    vec2 columns = vec2(floor(min(a.x, a.x + d.x)), ceil(max(a.x, a.x + d.x)));
-    float x = mix(columns.x, columns.y, corner.x);
-    vec2 p = vec2(x, a.y + slope * (x - a.x) + corner.y * reach);
-    gl_Position = clip_from_texels(steep ? p.yx : p);
-}
-#endif
-
 #ifdef MESH
-layout(std430) readonly buffer b_points { vec4 points[]; };
-
-precise out float v_depth;
-#ifdef OPTICAL_DEPTH
-out float v_opacity;
+#include "casters/mesh.vert.glsl"
 #endif
-
-void main() {
-    vec3 p_ls = (u_light_from_local * vec4(points[gl_VertexID].xyz, 1.0)).xyz;
-    v_depth = p_ls.z;
-#ifdef OPTICAL_DEPTH
-    v_opacity = opacity[gl_VertexID * u_opacity_stride];
+#ifdef PARTICLES
+#include "casters/particles.vert.glsl"
 #endif
-    gl_Position = clip_from_texels(p_ls.xy);
-}
+#ifdef VOLUME
+#include "casters/volume.vert.glsl"
 #endif

@@ -198,9 +198,10 @@ TEST_CASE("the layer of a position, and what is counted of it, are the same in G
     const auto context = context_or_skip();
     if (!context) return;
     Evaluator evaluator{context,
-                        {"#include \"lib/planes.glsl\"\n", 4, 2,
+                        {"#include \"lib/planes.glsl\"\n", 5, 3,
                          "result(0) = float(layer_of(given(0)));\n"
-                         "result(1) = counted(int(given(1)), int(given(2)), given(3));"}};
+                         "result(1) = counted(given(0), given(1), int(given(2)), given(3));\n"
+                         "result(2) = counted_at(int(given(4)), given(0), given(1));"}};
     Random random;
     for (int layers = 1; layers <= 64; ++layers) {
         CAPTURE(layers);
@@ -209,8 +210,10 @@ TEST_CASE("the layer of a position, and what is counted of it, are the same in G
         evaluator.program().set("u_planes", planes);
         Table given;
         const auto ask = [&](float x) {
-            given.push_back({std::clamp(x, 0.f, 1.f), float(random.below(layers)),
-                             float(random.below(layers)), random(0, 1)});
+            const float begin = std::clamp(x, 0.f, 1.f);
+            const float end = random.below(2) ? random(begin, 1) : begin;  // a point
+            given.push_back({begin, end, float(random.below(layers)), random(0, 1),
+                             float(random.below(layers + 1))});
         };
         for (const float plane : planes)
             ask(plane), ask(std::nextafter(plane, 0.f)), ask(std::nextafter(plane, 2.f));
@@ -219,7 +222,8 @@ TEST_CASE("the layer of a position, and what is counted of it, are the same in G
             const int layer = layer_of(planes, row[0]);
             CHECK(planes[std::size_t(layer)] <= row[0]);
             CHECK((layer == layers - 1 || row[0] < planes[std::size_t(layer) + 1]));
-            return Row{float(layer), counted(int(row[1]), int(row[2]), row[3])};
+            return Row{float(layer), counted(planes, row[0], row[1], int(row[2]), row[3]),
+                       counted_at(planes, int(row[4]), row[0], row[1])};
         });
     }
 }
@@ -346,12 +350,13 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
     const LightSpace space = some_space();
-    Evaluator evaluator{context,
-                        {"#include \"lib/receiver.glsl\"\n", 12, 2,
-                         "Receiver r = point_receiver(given3(0), 0.0); r.opacity = given(4);\n"
-                         "r.width_texels = given(3); r.direction = given3(5); r.ends = given2(8);\n"
-                         "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
-                         "result(0) = own.depth; result(1) = own.optical_depth;"}};
+    Evaluator evaluator{
+        context,
+        {"#include \"lib/receiver.glsl\"\n", 12, 3,
+         "Receiver r = point_receiver(given3(0), 0.0); r.opacity = given(4);\n"
+         "r.width_texels = given(3); r.direction = given3(5); r.ends = given2(8);\n"
+         "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
+         "result(0) = own.depth; result(1) = own.depth_end; result(2) = own.optical_depth;"}};
     set_space(evaluator, space);
     Random random;
     Table given;
@@ -379,8 +384,8 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
                                 .opacity = row[4],
                                 .ends = {row[8], row[9]}};
         const OwnDeposit own = own_deposit(seen(receiver, space), int(row[10]), int(row[11]));
-        return Row{own.depth, own.optical_depth};
+        return Row{own.depth, own.depth_end, own.optical_depth};
     });
-    const auto something = std::ranges::count_if(found, [](const Row& r) { return r[1] > 0.f; });
+    const auto something = std::ranges::count_if(found, [](const Row& r) { return r[2] > 0.f; });
     CHECK(something > 2000);
 }

@@ -101,9 +101,7 @@ Texels in_one_band(const FragmentSource& source) {
     const Rows all{0, size_px};
     for (const ShapePtr& shape : source.shapes) {
         const LightCaster& caster = source.casters.caster(shape, source.space);
-        for (std::size_t i = 0; i < caster.indices.size(); i += caster.strands ? 1 : 3)
-            caster.strands ? segment_fragments(caster, caster.indices[i], source, all, sink)
-                           : triangle_fragments(caster, i, source, all, sink);
+        caster_fragments(caster, source, all, sink);
     }
     return texels;
 }

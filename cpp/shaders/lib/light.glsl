@@ -71,4 +71,32 @@ int face_of(int eye, vec3 q) {
     if (a.z >= a.x && a.z >= a.y) return first + (r.z > 0.0 ? 0 : 1);
     return a.x >= a.y ? first + (r.x > 0.0 ? 2 : 3) : first + (r.y > 0.0 ? 4 : 5);
 }
+
+#endif
+
+// The light through the middle of a texel: at depth z it is at origin + z * direction, in light
+// coordinates.
+struct LightRay {
+    vec3 origin, direction;
+    float begin;  // nothing in front of this depth is met by it
+};
+
+#ifdef LIGHT_FACES
+// Where light comes from, in light coordinates; w is 0 where that is at infinity.
+vec4 light_source(int face) {
+    return vec4(-(transpose(mat3(u_light_faces[face])) * u_light_faces[face][3].xyz), 1.0);
+}
+
+// `texel` within the face.
+LightRay light_ray(int face, vec2 texel) {
+    vec3 way = normalize(vec3((texel - middle_px(face)) / focal_px(face), 1.0));
+    vec3 offset = u_light_faces[face][3].xyz;
+    float begin = u_light_faces[face][3].w - length(offset);
+    mat3 to_light = transpose(mat3(u_light_faces[face]));
+    return LightRay(to_light * (-begin * way - offset), to_light * way, begin);
+}
+#else
+vec4 light_source() { return vec4(0.0, 0.0, -1.0, 0.0); }
+
+LightRay light_ray(vec2 texel) { return LightRay(vec3(texel, 0.0), vec3(0.0, 0.0, 1.0), -1e30); }
 #endif

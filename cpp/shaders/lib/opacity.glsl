@@ -19,3 +19,16 @@ float optical_depth_of(float opacity) {
     series = series * s + 1.0;
     return a < 0.5 ? 2.0 * t * series : -log(1.0 - a);
 }
+
+// 1 - exp(-tau), in the same way.
+float opacity_of(float optical_depth) {
+    float x = optical_depth;
+    if (!(x < 0.5)) return 1.0 - exp(-x);
+    float series = 1.0 - x / 7.0;
+    series = 1.0 - x / 6.0 * series;
+    series = 1.0 - x / 5.0 * series;
+    series = 1.0 - x / 4.0 * series;
+    series = 1.0 - x / 3.0 * series;
+    series = 1.0 - x / 2.0 * series;
+    return x * series;
+}

@@ -1,6 +1,7 @@
 // Layer planes between two depths: plane 0 at the start, plane K at the end, the others where the
 // split curve puts them. The deposit and the look-up share these functions, so a fragment is
 // counted once whatever it lies on.
+#include "lib/interval.glsl"
 
 uniform int u_layers;         // K
 uniform float u_planes[65];   // of [0, 1]; u_planes[0] = 0, u_planes[K] = 1
@@ -22,6 +23,17 @@ int layer_of(float x) {
     return low;
 }
 
+// The part that plane k counts of a caster from `begin` to `end`: of a point, whose begin is its end,
+// all or nothing, by whether the plane lies behind its own layer.
+float counted_at(int k, float begin, float end) {
+    if (end > begin) return part_in_front(begin, end, u_planes[k]);
+    return k > layer_of(begin) ? 1.0 : 0.0;
+}
+
 // A layer's optical depth is taken to grow evenly from one plane to the next. The part of a caster
-// in layer `own` that a look-up in `layer`, so far `along` it, has counted.
-float counted(int own, int layer, float along) { return own < layer ? 1.0 : own > layer ? 0.0 : along; }
+// that a look-up in `layer`, so far `along` it, has counted.
+float counted(float begin, float end, int layer, float along) {
+    if (end > begin) return mix(counted_at(layer, begin, end), counted_at(layer + 1, begin, end), along);
+    int own = layer_of(begin);
+    return own < layer ? 1.0 : own > layer ? 0.0 : along;
+}

@@ -24,11 +24,11 @@ struct Receiver {
 
 // What a texel holds of the receiver's own caster.
 struct OwnDeposit {
-    float depth;
+    float depth, depth_end;
     float optical_depth;  // 0: nothing
 };
 
-const OwnDeposit no_own_deposit = OwnDeposit(0.0, 0.0);
+const OwnDeposit no_own_deposit = OwnDeposit(0.0, 0.0, 0.0);
 
 Receiver point_receiver(vec3 p_ls, float width) {
     return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, ivec2(0), u_light_texels_per_unit);
@@ -72,7 +72,8 @@ OwnDeposit own_strand_deposit(Receiver receiver, vec2 texel) {
     vec3 root = receiver.p_ls + receiver.ends.x * receiver.direction;
     vec3 tip = receiver.p_ls + receiver.ends.y * receiver.direction;
     if (!ribbon_coverage(root, tip, vec2(receiver.width_texels), texel, coverage)) return no_own_deposit;
-    return OwnDeposit(max(coverage.depth, 0.0),
+    float depth = max(coverage.depth, 0.0);
+    return OwnDeposit(depth, depth,
                       coverage.along * optical_depth_of(receiver.opacity * coverage.across));
 }
 
@@ -82,7 +83,7 @@ OwnDeposit own_surface_deposit(Receiver receiver, vec2 texel) {
     float margin = surface_margin(slope, receiver.texels_per_unit);
     if (margin >= largest_surface_margin(receiver.texels_per_unit)) return no_own_deposit;
     float depth = receiver.p_ls.z + dot(slope, texel - receiver.p_ls.xy) + margin;
-    return OwnDeposit(max(depth, 0.0), optical_depth_of(receiver.opacity));
+    return OwnDeposit(max(depth, 0.0), max(depth, 0.0), optical_depth_of(receiver.opacity));
 }
 
 // `texel` by its index in the face.

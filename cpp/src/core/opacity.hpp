@@ -15,4 +15,10 @@ T optical_depth_of(T opacity) {
     return -std::log1p(-std::clamp(opacity, T(0), T(largest_opacity)));
 }
 
+// 1 - exp(-tau).
+template <std::floating_point T>
+T opacity_of(T optical_depth) {
+    return -std::expm1(-optical_depth);
+}
+
 }  // namespace opacity

@@ -10,6 +10,7 @@ namespace opacity {
 int channels(Format format) {
     switch (format) {
         case Format::rgba32f:
+        case Format::rgba32ui:
             return 4;
         default:
             return 1;

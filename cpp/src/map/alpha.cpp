@@ -43,12 +43,12 @@ std::vector<TextureMap> coverage_levels(const Mesh& mesh) {
     return texture_levels(std::move(coverage));
 }
 
-float coverage_level(std::span<const TextureMap> levels, const float2& du, const float2& dv) {
-    const auto squared = [&](int axis) {
-        const float x = du[axis] * float(levels[0].width), y = dv[axis] * float(levels[0].height);
+float coverage_level(std::span<const TextureMap> levels, const float2& dx, const float2& dy) {
+    const auto squared = [&](const float2& d) {
+        const float x = d[0] * float(levels[0].width), y = d[1] * float(levels[0].height);
         return x * x + y * y;
     };
-    const float largest = std::max({squared(0), squared(1), 1.f});
+    const float largest = std::max({squared(dx), squared(dy), 1.f});
     return std::min(0.5f * std::log2(largest), float(levels.size() - 1));
 }
 

@@ -1,8 +1,10 @@
 #include "map/light_casters.hpp"
 
-#include <array>
+#include <utility>
 
+#include "map/voxels.hpp"
 #include "opacity/scene/mesh.hpp"
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
 
 namespace opacity {
@@ -25,13 +27,18 @@ std::array<float, 12> light_from_local(const Shape& shape, const LightSpace& spa
     return result;
 }
 
+// What a strand is wide, or half of what a particle is.
+const std::vector<float>& widths_of(const Shape& shape) {
+    static const std::vector<float> none{0.f};
+    if (const auto* strands = dynamic_cast<const Strands*>(&shape)) return strands->width();
+    if (const auto* particles = dynamic_cast<const Particles*>(&shape)) return particles->radius();
+    return none;
+}
+
 std::vector<float4> light_points(const Shape& shape, const LightSpace& space) {
-    const auto* strands = dynamic_cast<const Strands*>(&shape);
     const Box bounds = shape.points().bounds();
     const double3 origin = bounds.empty() ? double3{} : bounds.center();
-    static const std::vector<float> no_width{0.f};
-    const std::vector<float> local =
-        shape.points().relative_to(origin, strands ? strands->width() : no_width);
+    const std::vector<float> local = shape.points().relative_to(origin, widths_of(shape));
     const std::array<float, 12> m = light_from_local(shape, space, origin);
     const float to_texels = float(shape.scale()) * float(space.texels_per_unit);
     std::vector<float4> points(shape.points().size());
@@ -46,25 +53,61 @@ std::vector<float4> light_points(const Shape& shape, const LightSpace& space) {
     return points;
 }
 
+void copy_geometry(LightCaster& caster, const Shape& shape) {
+    if (const auto* strands = dynamic_cast<const Strands*>(&shape)) {
+        caster.kind = CasterKind::strands;
+        caster.indices = strands->segments();
+    } else if (const auto* mesh = dynamic_cast<const Mesh*>(&shape)) {
+        caster.kind = CasterKind::mesh;
+        caster.indices = mesh->triangles();
+        const bool has_alpha = mesh->has_alpha();
+        caster.uvs = has_alpha ? mesh->uvs() : std::vector<float2>{};
+        caster.coverage = has_alpha ? coverage_levels(*mesh) : std::vector<TextureMap>{};
+    } else if (dynamic_cast<const Particles*>(&shape)) {
+        caster.kind = CasterKind::particles;
+    } else if (const auto* volume = dynamic_cast<const Volume*>(&shape)) {
+        caster.kind = CasterKind::volume;
+        caster.slabs = slabs_of(*volume);
+    }
+}
+
+std::array<float4, 4> columns_of(const double4x4& m) {
+    std::array<float4, 4> columns;
+    for (std::size_t column = 0; column < 4; ++column)
+        for (std::size_t row = 0; row < 4; ++row) columns[column][row] = float(m[4 * row + column]);
+    return columns;
+}
+
+void place_in_light(LightCaster& caster, const Shape& shape, const LightSpace& space) {
+    const auto* volume = dynamic_cast<const Volume*>(&shape);
+    if (!volume) {
+        caster.points = light_points(shape, space);
+        return;
+    }
+    const VoxelSpace voxels =
+        voxel_space(space.from_world, shape.transform(), local_from_voxels(*volume));
+    caster.light_from_voxels = columns_of(voxels.from_voxels);
+    caster.voxels_from_light = columns_of(voxels.to_voxels);
+}
+
 }  // namespace
 
 const LightCaster& LightCasters::caster(const ShapePtr& shape_ptr, const LightSpace& space) {
     const Shape& shape = *shape_ptr;
+    // An instance shares the voxels, which are not copied, whatever the shape gets meanwhile.
+    std::shared_ptr<const Volume> shared;
+    if (dynamic_cast<const Volume*>(&shape))
+        shared = std::dynamic_pointer_cast<const Volume>(shape.instance());
     const auto lock = shape.lock();
     Cached& cached = cache_[&shape];
     const Shape::Revisions& now = shape.revisions();
     cached.shape = shape_ptr;
     LightCaster& caster = cached.caster;
-    if (cached.geometry != now.geometry) {
-        const auto* strands = dynamic_cast<const Strands*>(&shape);
-        const auto* mesh = dynamic_cast<const Mesh*>(&shape);
-        caster.strands = strands != nullptr;
-        if (strands) caster.indices = strands->segments();
-        if (mesh) caster.indices = mesh->triangles();
-    }
+    caster.volume = std::move(shared);
+    if (cached.geometry != now.geometry) copy_geometry(caster, shape);
     if (cached.geometry != now.geometry || cached.transform != now.transform ||
         cached.space != space)
-        caster.points = light_points(shape, space);
+        place_in_light(caster, shape, space);
     if (cached.opacity != now.opacity) caster.opacity = shape.opacity();
     cached.geometry = now.geometry;
     cached.transform = now.transform;

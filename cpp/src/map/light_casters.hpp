@@ -7,16 +7,28 @@
 #include <memory>
 #include <vector>
 
+#include "map/alpha.hpp"
+#include "map/volume_slabs.hpp"
 #include "opacity/scene/light_space.hpp"
 #include "opacity/scene/shape.hpp"
 
 namespace opacity {
 
+enum class CasterKind { strands, mesh, particles, volume };
+
 struct LightCaster {
-    std::vector<float4> points;  // light space; w: a strand's width in texels
-    bool strands = false;
+    CasterKind kind = CasterKind::mesh;
+    std::vector<float4> points;  // light space; w: a strand's width or a particle's radius in texels
     std::vector<std::uint32_t> indices;  // first points of segments; or corners of triangles
     std::vector<float> opacity;          // one for all, or one a point
+    // Of a mesh with an alpha map, else none.
+    std::vector<float2> uvs;
+    std::vector<TextureMap> coverage;
+    // Of a volume.
+    std::shared_ptr<const Volume> volume;  // what it shares with the shape
+    std::vector<Slab> slabs;
+    std::array<float4, 4> light_from_voxels{}, voxels_from_light{};  // columns
+
     float opacity_at(std::size_t i) const { return opacity[opacity.size() > 1 ? i : 0]; }
 };
 

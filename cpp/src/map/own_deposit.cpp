@@ -18,7 +18,8 @@ OwnDeposit own_strand_deposit(const Receiver& receiver, float x, float y) {
     const auto coverage = ribbon_coverage(strand, receiver.width_texels, receiver.width_texels,
                                           strand.steep ? y : x, strand.steep ? x : y);
     if (!coverage) return {};
-    return {std::max(coverage->depth, 0.f),
+    const float place = std::max(coverage->depth, 0.f);
+    return {place, place,
             coverage->along * optical_depth_of(receiver.opacity * coverage->across)};
 }
 
@@ -30,7 +31,7 @@ OwnDeposit own_surface_deposit(const SeenReceiver& receiver, float x, float y) {
     const float depth = receiver.p_ls[2] +
                         (slope[0] * (x - receiver.p_ls[0]) + slope[1] * (y - receiver.p_ls[1])) +
                         margin;
-    return {std::max(depth, 0.f), optical_depth_of(receiver.opacity)};
+    return {std::max(depth, 0.f), std::max(depth, 0.f), optical_depth_of(receiver.opacity)};
 }
 
 }  // namespace

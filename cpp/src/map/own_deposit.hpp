@@ -7,7 +7,7 @@
 namespace opacity {
 
 struct OwnDeposit {
-    float depth = 0.f;
+    float depth = 0.f, depth_end = 0.f;
     float optical_depth = 0.f;  // 0: nothing
 };
 

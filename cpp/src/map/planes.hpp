@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <span>
 
+#include "map/interval.hpp"
+
 namespace opacity {
 
 // Position between the bounds; 0 where they coincide.
@@ -19,9 +21,21 @@ inline int layer_of(std::span<const float> planes, float x) {
     return int(above - planes.begin()) - 1;
 }
 
+// The part that plane k counts of a caster from `begin` to `end`: of a point, whose begin is its
+// end, all or nothing, by whether the plane lies behind its own layer.
+inline float counted_at(std::span<const float> planes, int k, float begin, float end) {
+    if (end > begin) return part_in_front(begin, end, planes[std::size_t(k)]);
+    return k > layer_of(planes, begin) ? 1.f : 0.f;
+}
+
 // A layer's optical depth is taken to grow evenly from one plane to the next. The part of a caster
-// in layer `own` that a look-up in `layer`, so far `along` it, has counted.
-inline float counted(int own, int layer, float along) {
+// that a look-up in `layer`, so far `along` it, has counted.
+inline float counted(std::span<const float> planes, float begin, float end, int layer,
+                     float along) {
+    if (end > begin)
+        return counted_at(planes, layer, begin, end) * (1.f - along) +
+               counted_at(planes, layer + 1, begin, end) * along;
+    const int own = layer_of(planes, begin);
     return own < layer ? 1.f : own > layer ? 0.f : along;
 }
 

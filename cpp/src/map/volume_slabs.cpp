@@ -7,8 +7,6 @@
 namespace opacity {
 namespace {
 
-using Voxel = std::array<int, 3>;
-
 struct Span {
     Voxel begin, end;  // empty where begin is not below end
     void extend(const Voxel& first, const Voxel& last) {

@@ -2,17 +2,16 @@
 // meets them one after the other whatever its direction, and without what is empty around them.
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "opacity/scene/volume.hpp"
+#include "map/voxels.hpp"
 
 namespace opacity {
 
 // The voxels from `begin` up to `end`, along x, y and z.
 struct Slab {
     int axis;  // that it lies across
-    std::array<int, 3> begin, end;
+    Voxel begin, end;
 };
 
 // A texel gets one deposit of each slab; thicker ones would blur the depths of their voxels.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 
+#include "map/voxels.hpp"
+
 namespace opacity::render {
 namespace {
 
@@ -30,10 +32,10 @@ void feed_view(ProgramFeeder& feeder, const View& view, const GpuShape& gpu) {
     const glm::dmat3 normal_from_local = glm::transpose(glm::inverse(glm::dmat3{from_local}));
     feeder.uniform(name + "_normal_from_local", to_floats(normal_from_local));
     if (!gpu.extinction.object) return;
-    const glm::dmat4 from_voxels =
-        to_glm(view.from_world()) * to_glm(gpu.transform) * to_glm(gpu.local_from_voxels);
-    feeder.uniform(name + "_from_voxels", to_floats(from_voxels));
-    feeder.uniform("u_voxels_from_" + view.shader_name(), to_floats(glm::inverse(from_voxels)));
+    const VoxelSpace voxels =
+        voxel_space(view.from_world(), gpu.transform, gpu.local_from_voxels);
+    feeder.uniform(name + "_from_voxels", to_floats(to_glm(voxels.from_voxels)));
+    feeder.uniform("u_voxels_from_" + view.shader_name(), to_floats(to_glm(voxels.to_voxels)));
 }
 
 bool declared(const Pass& pass, const Source& source) {

@@ -17,6 +17,8 @@ unsigned internal_format(Format format) {
             return GL_R32F;
         case Format::r32ui:
             return GL_R32UI;
+        case Format::rgba32ui:
+            return GL_RGBA32UI;
         default:
             return GL_RGBA32F;
     }

@@ -71,17 +71,6 @@ std::vector<float> slab_corners(const std::vector<Slab>& slabs) {
     return result;
 }
 
-// A voxel is one unit long, and the first begins at 0.
-double4x4 local_from_voxels(const Volume& volume) {
-    const double3 &origin = volume.origin(), &spacing = volume.spacing();
-    double4x4 result = identity;
-    for (std::size_t i = 0; i < 3; ++i) {
-        result[5 * i] = spacing[i];
-        result[4 * i + 3] = origin[i] - 0.5 * spacing[i];
-    }
-    return result;
-}
-
 const char* define_of(const Shape& shape) {
     if (dynamic_cast<const Strands*>(&shape)) return "STRANDS";
     if (dynamic_cast<const Particles*>(&shape)) return "PARTICLES";

@@ -48,10 +48,9 @@ double BoundingOpacityMaps::fixed_ratio() const {
 Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph, const ShadowInputs& inputs) const {
     Texture& start = graph.texture("start", inputs.map(Format::depth32f));
     Texture& end = graph.texture("end", inputs.map(Format::depth32f));
-    const Shader shader = inputs.caster_shader("bounds.frag.glsl", false);
     const Reads reads = inputs.caster_reads(false);
     graph.add({.name = "start_depth",
-               .shader = shader,
+               .shader = inputs.caster_shader("bounds.frag.glsl", false),
                .draws = &inputs.translucent,
                .view = &inputs.light,
                .reads = reads,
@@ -59,7 +58,7 @@ Bounds BoundingOpacityMaps::add_bounds(FrameGraph& graph, const ShadowInputs& in
                .state = {.depth = Depth::less, .clear_depth = 1.f},
                .on_cpu = first_depth_on_cpu(inputs, start)});
     graph.add({.name = "end_depth",  // reversed: the farthest caster wins
-               .shader = shader,
+               .shader = inputs.caster_shader("bounds.frag.glsl", false, {{"LAST_DEPTH", "1"}}),
                .draws = &inputs.translucent,
                .view = &inputs.light,
                .reads = reads,

@@ -1,14 +1,15 @@
 // Exact: what every other technique is checked against.
 //
 // Idea: every fragment of every texel is kept, sorted by depth, with the running sum of optical
-// depth; a look-up finds the last fragment in front by binary search. What is left of error is the
+// depth; a look-up finds the last fragment in front by binary search. Of an interval both ends are
+// kept, with the density between them, so that optical depth inside is exact too. What is left of error is the
 // map's resolution and the deposit, shared by all. After Carpenter's A-buffer (1984) and the
 // per-pixel lists of Yang et al. 2010, packed rather than linked.
 //
-// Cost: 2 geometry passes, one read-back of the counts, and log2(longest list) compute steps; 12
-// bytes a texel and 16 a fragment (48 while it sorts).
+// Cost: 2 geometry passes, one read-back of the counts, and log2(longest list) compute steps; 28
+// bytes a texel and 16 a fragment, 32 one with two ends (three times that while it sorts).
 //
-// Fails: 67 million fragments are the most that its lists hold; it is not meant to be fast.
+// Fails: 67 million ends are the most that its lists hold; it is not meant to be fast.
 #pragma once
 
 #include <string_view>
@@ -30,7 +31,7 @@ class Exact : public Technique {
    private:
     struct Lists {
         Texture &count, &first, &unsorted, &list;
-        Value<int>&fragments, &longest;
+        Value<int>&entries, &longest;
     };
     void add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
     void add_first(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;

@@ -8,12 +8,13 @@
 namespace opacity::techniques {
 namespace {
 
+// `pick` takes the depth so far, and the fragment.
 template <class Pick>
 OnCpu depth_on_cpu(const ShadowInputs& inputs, Texture& depth, Pick pick) {
     return [inputs, &depth, pick](PassContext& context) {
         const std::span<float> map = context.memory<float>(depth);
         for_each_fragment(inputs.fragments(context, false), [&](const Fragment& fragment) {
-            map[fragment.texel] = pick(map[fragment.texel], fragment.depth);
+            map[fragment.texel] = pick(map[fragment.texel], fragment);
         });
     };
 }
@@ -27,8 +28,8 @@ std::size_t place_of(std::size_t texel_count, std::size_t texel, int k) {
 struct Planes {
     std::span<const float> start, end, planes;
     int last_plane() const { return int(planes.size()) - 1; }
-    int layer(std::size_t texel, float depth) const {
-        return layer_of(planes, between(start[texel], end[texel], depth));
+    float position(std::size_t texel, float depth) const {
+        return between(start[texel], end[texel], depth);
     }
 };
 
@@ -39,8 +40,14 @@ class Layers {
         : planes_{planes}, map_{map}, first_plane_{first_plane}, last_plane_{last_plane} {}
 
     void add(const Fragment& fragment) {
-        const int k = std::max(planes_.layer(fragment.texel, fragment.depth) + 1, first_plane_);
-        if (k <= last_plane_) plane(fragment.texel, k) += fragment.optical_depth;
+        const float begin = planes_.position(fragment.texel, fragment.depth);
+        const float end = planes_.position(fragment.texel, fragment.depth_end);
+        int k = std::max(layer_of(planes_.planes, begin) + 1, first_plane_);
+        for (float so_far = 0.f; k <= last_plane_ && so_far < 1.f; ++k) {
+            const float part = end > begin ? counted_at(planes_.planes, k, begin, end) : 1.f;
+            plane(fragment.texel, k) += fragment.optical_depth * (part - so_far);
+            so_far = part;
+        }
     }
     void accumulate(std::size_t texel) {
         double sum = 0.0;
@@ -71,7 +78,9 @@ class LayeredTexels : public TexelMap {
         const int layer = layer_of(planes_.planes, x);
         const float low = planes_.planes[layer], high = planes_.planes[layer + 1];
         const float along = (x - low) / (high - low);
-        const float part = counted(planes_.layer(texel, own.depth), layer, along);
+        const float part =
+            counted(planes_.planes, planes_.position(texel, own.depth),
+                    planes_.position(texel, own.depth_end), layer, along);
         const float before = plane(texel, layer), behind = plane(texel, layer + 1);
         return before * (1.f - along) + behind * along - own.optical_depth * part;
     }
@@ -93,11 +102,13 @@ Planes planes_in(PassContext& context, const LayersInMap& layers) {
 }  // namespace
 
 OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
-    return depth_on_cpu(inputs, depth, [](float a, float b) { return std::min(a, b); });
+    return depth_on_cpu(
+        inputs, depth, [](float first, const Fragment& f) { return std::min(first, f.depth); });
 }
 
 OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
-    return depth_on_cpu(inputs, depth, [](float a, float b) { return std::max(a, b); });
+    return depth_on_cpu(
+        inputs, depth, [](float last, const Fragment& f) { return std::max(last, f.depth_end); });
 }
 
 OnCpu layers_on_cpu(const ShadowInputs& inputs, const LayersInMap& in, int first_target,

@@ -15,7 +15,7 @@ constexpr int planes_per_target = 4;
 
 using OnCpu = std::function<void(PassContext&)>;
 
-// Depth of the first, and of the last, caster of each texel.
+// Where the first caster of each texel begins, and where the last one ends.
 OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
 OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
 

@@ -11,7 +11,7 @@
 
 namespace opacity {
 
-enum class Format { depth32f, r32f, rgba32f, r32ui };
+enum class Format { depth32f, r32f, rgba32f, r32ui, rgba32ui };
 
 int channels(Format format);
 

@@ -1,4 +1,6 @@
-#include "map/fragments.hpp"
+#include "map/triangle_fragments.hpp"
+
+#include <cmath>
 
 #include "map/surface.hpp"
 
@@ -71,6 +73,30 @@ void triangle_texels(const std::array<float4, 3>& p, const LightSpace& space, Ro
             }
             if (inside) texel(covered);
         }
+}
+
+// From the corners as they are, not on the grid: an edge of the mask would show the difference.
+TriangleCoverage::TriangleCoverage(const LightCaster& caster, const std::uint32_t* corners)
+    : caster_{caster} {
+    if (caster.coverage.empty()) return;
+    std::array<float4, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = caster.points[corners[i]];
+    x_ = p[0][0], y_ = p[0][1];
+    uv_ = caster.uvs[corners[0]];
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (std::size_t i = 0; i < 3; ++i) p[i][2] = caster.uvs[corners[i]][axis];
+        const std::array<float, 2> slope = slope_of(p);
+        along_x_[axis] = slope[0], along_y_[axis] = slope[1];
+    }
+    level_ = coverage_level(caster.coverage, along_x_, along_y_);
+}
+
+float TriangleCoverage::at(float x, float y) const {
+    if (caster_.coverage.empty()) return 1.f;
+    float2 uv;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        uv[axis] = uv_[axis] + along_x_[axis] * (x - x_) + along_y_[axis] * (y - y_);
+    return coverage_at(caster_.coverage, uv, level_);
 }
 
 }  // namespace opacity

@@ -1,0 +1,23 @@
+// Triangles are drawn as they are: a texel is covered, or not, by its middle.
+layout(std430) readonly buffer b_points { vec4 points[]; };
+
+precise out float v_depth;
+#ifdef ALPHA_MAP
+layout(std430) readonly buffer b_uvs { vec2 uvs[]; };
+precise out vec2 v_uv;
+#endif
+#ifdef OPTICAL_DEPTH
+out float v_opacity;
+#endif
+
+void main() {
+    vec3 p_ls = (u_light_from_local * vec4(points[gl_VertexID].xyz, 1.0)).xyz;
+    v_depth = p_ls.z;
+#ifdef ALPHA_MAP
+    v_uv = uvs[gl_VertexID];
+#endif
+#ifdef OPTICAL_DEPTH
+    v_opacity = opacity[gl_VertexID * u_opacity_stride];
+#endif
+    gl_Position = clip_from_texels(p_ls.xy);
+}

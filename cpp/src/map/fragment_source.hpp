@@ -1,0 +1,66 @@
+// What a caster's fragments are taken from, and where they go.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "map/interval.hpp"
+#include "map/light_casters.hpp"
+
+namespace opacity {
+
+struct Fragment {
+    int x, y;
+    std::size_t texel;       // y * map_size_px + x
+    float depth, depth_end;  // of strands and surfaces the same
+    float optical_depth;     // 0 unless asked for
+};
+
+// A band of rows of the map: one thread's work, so that no two write to one texel, and each texel
+// gets its fragments in the same order on any number of threads.
+struct Rows {
+    int begin, end;
+};
+
+struct FragmentSource {
+    LightCasters& casters;
+    const std::vector<ShapePtr>& shapes;
+    const LightSpace& space;
+    std::span<const float> opaque_depth;  // one value a texel; empty: there is no opaque caster
+    bool paper_deposit = false;
+    bool optical_depth = true;
+    bool surface_margin = true;  // moves surfaces away from the light
+};
+
+// Leaves out what no receiver can notice: casters behind all receivers or behind an opaque one,
+// where T is 0 without them. Of an interval that such a depth cuts, what is in front of it remains.
+template <class Add>
+class FragmentSink {
+   public:
+    FragmentSink(const FragmentSource& source, Add& add) : source_{source}, add_{add} {}
+
+    template <class OpticalDepth>
+    void operator()(int x, int y, float depth, float depth_end, OpticalDepth optical_depth) {
+        const std::size_t texel = std::size_t(y) * source_.space.map_size_px + x;
+        depth = std::max(depth, 0.f);
+        depth_end = std::max(depth_end, depth);
+        float last = 1.f;
+        if (!source_.opaque_depth.empty()) last = std::min(last, source_.opaque_depth[texel]);
+        if (!(depth <= last)) return;
+        Fragment fragment{x, y, texel, depth, depth_end, 0.f};
+        if (source_.optical_depth) fragment.optical_depth = optical_depth();
+        if (depth_end > last) {
+            fragment.optical_depth *= part_in_front(depth, depth_end, last);
+            fragment.depth_end = last;
+        }
+        add_(fragment);
+    }
+
+   private:
+    const FragmentSource& source_;
+    Add& add_;
+};
+
+}  // namespace opacity

@@ -1,0 +1,62 @@
+// The fragments of strands: the texels that the ribbon of a segment covers. GLSL:
+// casters/strands.vert.glsl and casters/strands.frag.glsl.
+#pragma once
+
+#include "core/opacity.hpp"
+#include "map/fragment_source.hpp"
+#include "map/ribbon.hpp"
+
+namespace opacity {
+
+// std::floor and std::ceil are calls where the target has no instruction for them. |v| < 2^31.
+inline int floor_of(float v) {
+    const int truncated = int(v);
+    return truncated - (float(truncated) > v);
+}
+inline int ceil_of(float v) {
+    return -floor_of(-v);
+}
+
+// One segment's fragments within the rows. `Sink` takes x, y, where the fragment begins and ends in
+// depth, and what gives the optical depth.
+template <class Sink>
+void segment_fragments(const LightCaster& caster, std::size_t first, const FragmentSource& source,
+                       Rows rows, Sink&& sink) {
+    const float4 &root = caster.points[first], &tip = caster.points[first + 1];
+    const MajorSegment s{{root[0], root[1], root[2]}, {tip[0], tip[1], tip[2]}};
+    if (s.dx == 0.f) return;  // along the light: no area, no texel
+    const Rows all{0, source.space.map_size_px};
+    const Rows columns = s.steep ? rows : all, across = s.steep ? all : rows;
+    const auto within = [](float v, Rows range) {
+        return std::clamp(v, float(range.begin), float(range.end));
+    };
+    const int begin = floor_of(within(s.begin(), columns));
+    const int end = ceil_of(within(s.end(), columns));
+    const float root_opacity = caster.opacity_at(first), tip_opacity = caster.opacity_at(first + 1);
+    const auto emit = [&](int column, int row, float depth, float place, float f, float c) {
+        const auto optical_depth = [&] {
+            return f * optical_depth_of(MajorSegment::mix(root_opacity, tip_opacity, place) * c);
+        };
+        s.steep ? sink(row, column, depth, depth, optical_depth)
+                : sink(column, row, depth, depth, optical_depth);
+    };
+    for (int column = begin; column < end; ++column) {
+        const float middle = float(column) + 0.5f;
+        const RibbonColumn ribbon{s, root[3], tip[3], middle};
+        const float reach = source.paper_deposit ? 1.f : ribbon.half_width;
+        const int low = floor_of(within(ribbon.y - reach, across));
+        const int high = ceil_of(within(ribbon.y + reach, across));
+        for (int row = low; row < high; ++row) {
+            if (source.paper_deposit) {
+                if (const auto line = line_coverage(s, middle, float(row) + 0.5f))
+                    emit(column, row, line->depth, line->place, 1.f, 1.f);
+                continue;
+            }
+            const float c = ribbon.across(float(row) + 0.5f);
+            if (ribbon.along > 0.f && c > 0.f)
+                emit(column, row, ribbon.depth, ribbon.place, std::min(ribbon.along, 1.f), c);
+        }
+    }
+}
+
+}  // namespace opacity

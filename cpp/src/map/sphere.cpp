@@ -1,0 +1,127 @@
+#include "map/sphere.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/opacity.hpp"
+
+namespace opacity {
+namespace {
+
+constexpr float half_circle = std::numbers::pi_v<float>;
+constexpr float most_ring_texels = 8.f;   // radius; larger ones are sampled at 3 x 3 points a texel
+constexpr float least_ring_angle = 1e-5f;  // less is rounding
+
+// Over what is counted: half chords to the first power and to the third, in radii, and opacity.
+struct SphereSums {
+    float chords = 0.f, cubed = 0.f, opacity = 0.f;
+};
+
+// pi / 2 + asin(x) to 1e-7: Abramowitz and Stegun 1964, 4.4.46.
+float arc_below(float x) {
+    const float a = std::min(std::abs(x), 1.f);
+    float series = -0.0012624911f;
+    series = series * a + 0.0066700901f;
+    series = series * a - 0.0170881256f;
+    series = series * a + 0.0308918810f;
+    series = series * a - 0.0501743046f;
+    series = series * a + 0.0889789874f;
+    series = series * a - 0.2145988016f;
+    series = series * a + 1.5707963050f;
+    const float arc = std::sqrt(1.f - a) * series;
+    return x < 0.f ? arc : half_circle - arc;
+}
+
+// Of a circle the angle that lies below both of two lines across the axes, which cut it at arcs.
+float angle_below(float x_arc, float y_arc) {
+    const float sum = x_arc + y_arc;
+    return std::max(std::min(2.f * std::min(x_arc, y_arc), sum - 0.5f * half_circle), 0.f) +
+           std::max(sum - 1.5f * half_circle, 0.f);
+}
+
+// The integral of (1 - exp(-optical_depth c)) c over half chords of 0 .. c, in radii.
+float chord_opacity(float optical_depth, float c) {
+    const float x = optical_depth * c;
+    if (!(x < 0.5f)) return c * c * (0.5f - (1.f - std::exp(-x) * (1.f + x)) / (x * x));
+    float series = 1.f / 45360.f;
+    series = 1.f / 5760.f - x * series;
+    series = 1.f / 840.f - x * series;
+    series = 1.f / 144.f - x * series;
+    series = 1.f / 30.f - x * series;
+    series = 1.f / 8.f - x * series;
+    series = 1.f / 3.f - x * series;
+    return c * c * x * series;
+}
+
+// The texel's edges about the centre, in radii.
+struct Edges {
+    float low_x, low_y, high_x, high_y;
+
+    bool hold_all() const { return low_x <= -1.f && low_y <= -1.f && high_x >= 1.f && high_y >= 1.f; }
+    float nearest() const {
+        const float x = std::max({low_x, -high_x, 0.f}), y = std::max({low_y, -high_y, 0.f});
+        return std::sqrt(x * x + y * y);
+    }
+    float farthest() const {
+        const float x = std::max(-low_x, high_x), y = std::max(-low_y, high_y);
+        return std::sqrt(x * x + y * y);
+    }
+    // Of the circle of that radius.
+    float angle_inside(float radius) const {
+        const float lx = arc_below(low_x / radius), ly = arc_below(low_y / radius);
+        const float hx = arc_below(high_x / radius), hy = arc_below(high_y / radius);
+        return (angle_below(hx, hy) - angle_below(lx, hy)) -
+               (angle_below(hx, ly) - angle_below(lx, ly));
+    }
+};
+
+SphereSums ring_sums(const Edges& edges, float radius, float optical_depth) {
+    const int rings = edges.hold_all() ? 1 : int(std::clamp(std::ceil(3.f * radius), 4.f, 24.f));
+    const int first = int(edges.nearest() * float(rings));
+    const int last = std::min(int(edges.farthest() * float(rings)) + 1, rings);
+    SphereSums sums;
+    for (int ring = first; ring < last; ++ring) {
+        const float begin = float(ring) / float(rings), end = float(ring + 1) / float(rings);
+        const float angle = edges.angle_inside(0.5f * (begin + end));
+        if (!(angle > least_ring_angle)) continue;
+        const float c = std::sqrt(std::max(1.f - begin * begin, 0.f));
+        const float d = std::sqrt(std::max(1.f - end * end, 0.f));
+        const float c3 = c * c * c, d3 = d * d * d;
+        sums.chords += angle * (c3 - d3) / 3.f;
+        sums.cubed += angle * (c3 * c * c - d3 * d * d) / 5.f;
+        sums.opacity +=
+            angle * (chord_opacity(optical_depth, c) - chord_opacity(optical_depth, d));
+    }
+    sums.opacity *= radius * radius;
+    return sums;
+}
+
+SphereSums point_sums(const Edges& edges, float radius, float optical_depth) {
+    SphereSums sums;
+    for (int i = 0; i < 9; ++i) {
+        const float x = edges.low_x + (float(i % 3) + 0.5f) / (3.f * radius);
+        const float y = edges.low_y + (float(i / 3) + 0.5f) / (3.f * radius);
+        const float c = std::sqrt(std::max(1.f - (x * x + y * y), 0.f));
+        sums.chords += c;
+        sums.cubed += c * c * c;
+        sums.opacity += opacity_of(optical_depth * c) / 9.f;
+    }
+    return sums;
+}
+
+}  // namespace
+
+std::optional<SphereCoverage> sphere_coverage(const float2& center, float radius,
+                                              float optical_depth, const float2& texel) {
+    if (!(radius > 0.f)) return {};
+    const Edges edges{(texel[0] - 0.5f - center[0]) / radius, (texel[1] - 0.5f - center[1]) / radius,
+                      (texel[0] + 0.5f - center[0]) / radius, (texel[1] + 0.5f - center[1]) / radius};
+    const SphereSums sums = radius < most_ring_texels ? ring_sums(edges, radius, optical_depth)
+                                                      : point_sums(edges, radius, optical_depth);
+    if (!(sums.chords > 0.f)) return {};
+    return SphereCoverage{std::min(sums.opacity, 1.f),
+                          radius * std::sqrt(sums.cubed / sums.chords)};
+}
+
+}  // namespace opacity

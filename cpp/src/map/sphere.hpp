@@ -1,0 +1,23 @@
+// A sphere of constant density in a texel, by the deposit rule (docs/accuracy.md): the mean opacity
+// over the texel. Its disc is cut into rings; each ring's opacity is exact, and the texel gets the
+// angle over which the middle of the ring runs inside it. All texels together get all of each ring.
+// GLSL: lib/sphere.glsl, in the same order of operations.
+#pragma once
+
+#include <optional>
+
+#include "opacity/core/math.hpp"
+
+namespace opacity {
+
+struct SphereCoverage {
+    float opacity;      // mean over the texel
+    float half_length;  // texels; of the interval whose depths spread as those of the chords do
+};
+
+// The centre, and the middle of the texel, in texels; `optical_depth` is that through the centre.
+// Nothing where the texel is not touched.
+std::optional<SphereCoverage> sphere_coverage(const float2& center, float radius,
+                                              float optical_depth, const float2& texel);
+
+}  // namespace opacity

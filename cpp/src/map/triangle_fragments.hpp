@@ -1,0 +1,57 @@
+// The fragments of meshes: the texels whose middle a triangle covers. GLSL: casters/mesh.vert.glsl
+// and casters/mesh.frag.glsl.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "core/opacity.hpp"
+#include "map/fragment_source.hpp"
+
+namespace opacity {
+
+// The texels within the rows whose middle one triangle covers, with their weights of its corners;
+// and its slope, by which it is moved away from the light.
+struct TriangleTexel {
+    int x, y;
+    float weights[3];
+    float margin;
+};
+void triangle_texels(const std::array<float4, 3>& corners, const LightSpace& space, Rows rows,
+                     const std::function<void(const TriangleTexel&)>& texel);
+
+// What one triangle of a mesh with an alpha map covers of a texel.
+class TriangleCoverage {
+   public:
+    TriangleCoverage(const LightCaster& caster, const std::uint32_t* corners);
+    // Around a place in the map, where the texel's middle is.
+    float at(float x, float y) const;
+
+   private:
+    const LightCaster& caster_;
+    float x_ = 0.f, y_ = 0.f;                // of a corner
+    float2 uv_{}, along_x_{}, along_y_{};  // there, and how it changes from texel to texel
+    float level_ = 0.f;
+};
+
+template <class Sink>
+void triangle_fragments(const LightCaster& caster, std::size_t first, const FragmentSource& source,
+                        Rows rows, Sink&& sink) {
+    const std::uint32_t* corner = &caster.indices[first];
+    const std::array<float4, 3> points{caster.points[corner[0]], caster.points[corner[1]],
+                                       caster.points[corner[2]]};
+    const TriangleCoverage coverage{caster, corner};
+    triangle_texels(points, source.space, rows, [&](const TriangleTexel& t) {
+        float depth = 0.f, opacity = 0.f;
+        for (int i = 0; i < 3; ++i) {
+            depth += t.weights[i] * points[i][2];
+            opacity += t.weights[i] * caster.opacity_at(corner[i]);
+        }
+        const float covered = coverage.at(float(t.x) + 0.5f, float(t.y) + 0.5f);
+        if (!(covered > 0.f)) return;
+        if (source.surface_margin) depth += t.margin;
+        sink(t.x, t.y, depth, depth, [&] { return optical_depth_of(opacity * covered); });
+    });
+}
+
+}  // namespace opacity
