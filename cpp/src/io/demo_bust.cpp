@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/demo_triangles.hpp"
+
 namespace opacity::demo {
 namespace {
 
@@ -77,83 +79,26 @@ Ring ring_at(double z) {
     return {z, along(&Ring::half_width), along(&Ring::half_depth), along(&Ring::y)};
 }
 
-struct Triangles {
-    std::vector<float> xyz;
-    std::vector<std::uint32_t> indices;
-
-    std::uint32_t add(const glm::dvec3& p) {
-        xyz.insert(xyz.end(), {float(p.x), float(p.y), float(p.z)});
-        return static_cast<std::uint32_t>(xyz.size() / 3 - 1);
-    }
-    void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-        indices.insert(indices.end(), {a, b, c, a, c, d});
-    }
-};
-
-// A cube's grid, pushed out to the head: no poles, and no trigonometry.
-void add_head(Triangles& mesh) {
-    constexpr int n = 28;
-    constexpr std::uint32_t absent = 0xFFFF'FFFF;
-    std::vector<std::uint32_t> known((n + 1) * (n + 1) * (n + 1), absent);
-    const auto vertex = [&](glm::ivec3 cell) {
-        std::uint32_t& index = known[std::size_t((cell.x * (n + 1) + cell.y) * (n + 1) + cell.z)];
-        if (index != absent) return index;
-        const glm::dvec3 u = 2.0 * glm::dvec3{cell} / double(n) - 1.0;
-        const glm::dvec3 even =
-            u * (0.785 + 0.215 * u * u);  // about tan(pi/4 u): cells of one size
-        return index = mesh.add(head_point(glm::normalize(even)));
-    };
-    for (int axis = 0; axis < 3; ++axis)
-        for (int side = 0; side <= n; side += n)
-            for (int i = 0; i < n; ++i)
-                for (int j = 0; j < n; ++j) {
-                    const auto at = [&](int di, int dj) {
-                        glm::ivec3 cell;
-                        cell[axis] = side;
-                        cell[(axis + 1) % 3] = side ? i + di : i + dj;  // counter-clockwise outside
-                        cell[(axis + 2) % 3] = side ? j + dj : j + di;
-                        return vertex(cell);
-                    };
-                    mesh.quad(at(0, 0), at(1, 0), at(1, 1), at(0, 1));
-                }
-}
-
-// The unit circle in four equal parts, each by its rational parametrisation.
-std::vector<glm::dvec2> unit_circle(int points) {
-    std::vector<glm::dvec2> circle;
-    const int quarter = points / 4;
-    for (int i = 0; i < 4 * quarter; ++i) {
-        const double t = double(i % quarter) / quarter;
-        glm::dvec2 p{(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)};
-        for (int turn = 0; turn < i / quarter; ++turn) p = {-p.y, p.x};
-        circle.push_back(p);
-    }
-    return circle;
-}
-
 void add_shoulders(Triangles& mesh) {
     constexpr int levels = 56;
     const std::vector<glm::dvec2> circle = unit_circle(56);
     const auto count = static_cast<std::uint32_t>(circle.size());
-    const auto first = static_cast<std::uint32_t>(mesh.xyz.size() / 3);
+    const std::uint32_t first = mesh.count();
     for (int level = 0; level <= levels; ++level) {
         const Ring ring = ring_at(rings.back().z * level / levels);
         for (const glm::dvec2& c : circle)
             mesh.add({ring.half_width * c.x, ring.y + ring.half_depth * c.y, ring.z});
     }
     for (std::uint32_t level = 0; level < levels; ++level)
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint32_t here = first + level * count, next = (i + 1) % count;
-            mesh.quad(here + i, here + next, here + count + next, here + count + i);
-        }
+        mesh.band(first + level * count, first + (level + 1) * count, count);
     // Closed below; above, the opening lies inside the head, and is closed all the same.
     const std::uint32_t bottom = mesh.add({0.0, rings.front().y, 0.0});
     const std::uint32_t top = mesh.add({0.0, rings.back().y, rings.back().z});
     const std::uint32_t last = first + levels * count;
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t next = (i + 1) % count;
-        mesh.indices.insert(mesh.indices.end(), {bottom, first + next, first + i});
-        mesh.indices.insert(mesh.indices.end(), {top, last + i, last + next});
+        mesh.triangle(bottom, first + next, first + i);
+        mesh.triangle(top, last + i, last + next);
     }
 }
 
@@ -195,34 +140,14 @@ float3 skin_color(const glm::dvec3& point) {
 }
 
 std::shared_ptr<Mesh> bust() {
-    Triangles mesh;
-    add_head(mesh);
+    Triangles triangles;
+    add_ball(triangles, 28, head_point);
     std::vector<float3> color;
-    for (std::size_t i = 0; i < mesh.xyz.size(); i += 3)
-        color.push_back(skin_color({mesh.xyz[i], mesh.xyz[i + 1], mesh.xyz[i + 2]}));
-    add_shoulders(mesh);
-    color.resize(mesh.xyz.size() / 3, skin);
-    return std::make_shared<Mesh>(Positions{std::move(mesh.xyz)}, std::move(mesh.indices),
-                                  std::vector<float3>{}, std::vector{1.f}, std::move(color));
-}
-
-std::shared_ptr<Mesh> ground() {
-    constexpr int n = 24;
-    constexpr double half_side = 90.0;
-    Triangles mesh;
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i)
-            mesh.add({half_side * (2.0 * i / n - 1.0), half_side * (2.0 * j / n - 1.0), 0.0});
-    for (std::uint32_t j = 0; j < n; ++j)
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const std::uint32_t a = j * (n + 1) + i, b = a + n + 1;
-            mesh.quad(a, a + 1, b + 1, b);
-        }
-    auto shape = std::make_shared<Mesh>(Positions{std::move(mesh.xyz)}, std::move(mesh.indices),
-                                        std::vector<float3>{}, std::vector{1.f},
-                                        std::vector<float3>{{0.55f, 0.56f, 0.58f}});
-    shape->set_casts(false);
-    return shape;
+    for (std::size_t i = 0; i < triangles.count(); ++i)
+        color.push_back(skin_color(triangles.point(i)));
+    add_shoulders(triangles);
+    color.resize(triangles.count(), skin);
+    return mesh(std::move(triangles), std::move(color));
 }
 
 }  // namespace opacity::demo

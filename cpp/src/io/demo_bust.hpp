@@ -21,6 +21,5 @@ double scalp_height(const glm::dvec3& direction);
 glm::dvec3 outside(const glm::dvec3& point, double gap);
 
 std::shared_ptr<Mesh> bust();
-std::shared_ptr<Mesh> ground();
 
 }  // namespace opacity::demo

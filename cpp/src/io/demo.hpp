@@ -1,0 +1,27 @@
+// The generated scenes of load("demo:NAME?option=value"): each is one file, demo_NAME.cpp, with its
+// declaration here and its line in the table of demo.cpp. The same request makes the same bits on
+// every machine.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "opacity/scene/shape.hpp"
+
+namespace opacity::demo {
+
+// What somebody asks for, in range.
+struct Request {
+    std::size_t count;  // how many of the scene's primitives: segments, leaves, voxels, ...
+    unsigned seed;
+    std::string_view style = {};  // of a scene that has styles
+};
+
+// hair?segments=1000000&seed=7; ParameterError for a name or a value that is none.
+std::vector<ShapePtr> load(std::string_view request);
+
+// The first shapes are those that the count is of.
+std::vector<ShapePtr> hair(const Request& request);
+
+}  // namespace opacity::demo
