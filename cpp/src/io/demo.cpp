@@ -24,6 +24,8 @@ struct Demo {
 const std::vector<Demo>& demos() {
     static const std::vector<Demo> all{
         {"hair", "segments", 150'000, 100'000'000, demo::hair, {"wavy", "straight", "curly"}},
+        {"fur", "segments", 400'000, 100'000'000, demo::fur},
+        {"teapot", "segments", 300'000, 100'000'000, demo::teapot},
     };
     return all;
 }

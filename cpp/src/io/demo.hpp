@@ -23,5 +23,7 @@ std::vector<ShapePtr> load(std::string_view request);
 
 // The first shapes are those that the count is of.
 std::vector<ShapePtr> hair(const Request& request);
+std::vector<ShapePtr> fur(const Request& request);
+std::vector<ShapePtr> teapot(const Request& request);
 
 }  // namespace opacity::demo
