@@ -25,6 +25,10 @@ const std::vector<Demo>& demos() {
     static const std::vector<Demo> all{
         {"hair", "segments", 150'000, 100'000'000, demo::hair, {"wavy", "straight", "curly"}},
         {"fur", "segments", 400'000, 100'000'000, demo::fur},
+        {"grass", "segments", 90'000, 100'000'000, demo::grass},
+        {"dense_grass", "segments", 500'000, 100'000'000, demo::dense_grass},
+        {"tree", "leaves", 30'000, 10'000'000, demo::tree},
+        {"sparse_tree", "leaves", 3'000, 10'000'000, demo::sparse_tree},
         {"teapot", "segments", 300'000, 100'000'000, demo::teapot},
     };
     return all;

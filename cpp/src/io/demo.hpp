@@ -24,6 +24,10 @@ std::vector<ShapePtr> load(std::string_view request);
 // The first shapes are those that the count is of.
 std::vector<ShapePtr> hair(const Request& request);
 std::vector<ShapePtr> fur(const Request& request);
+std::vector<ShapePtr> grass(const Request& request);
+std::vector<ShapePtr> dense_grass(const Request& request);
+std::vector<ShapePtr> tree(const Request& request);
+std::vector<ShapePtr> sparse_tree(const Request& request);
 std::vector<ShapePtr> teapot(const Request& request);
 
 }  // namespace opacity::demo

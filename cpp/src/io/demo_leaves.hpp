@@ -1,0 +1,24 @@
+// Leaves of generated trees: a quad each, cut out by an alpha map.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "io/demo_branches.hpp"
+#include "opacity/scene/mesh.hpp"
+
+namespace opacity::demo {
+
+struct Foliage {
+    double leaf_length;  // of a usual leaf, in metres
+    std::size_t usual;   // number of leaves, at which they are of that length
+    std::vector<glm::dvec3> colors;
+};
+
+// Along the shoots' outer parts, most on twigs. More leaves are smaller ones, so that the crown
+// lets about as much light through at any number.
+std::shared_ptr<Mesh> leaves(const std::vector<Shoot>& shoots, const Foliage& foliage,
+                             std::size_t count, unsigned seed);
+
+}  // namespace opacity::demo
