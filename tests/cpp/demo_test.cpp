@@ -5,9 +5,8 @@
 
 #include "opacity/core/error.hpp"
 #include "opacity/io/load.hpp"
-#include "opacity/scene/mesh.hpp"
-#include "opacity/scene/strands.hpp"
 #include "scratch_folder.hpp"
+#include "shape_hash.hpp"
 
 using namespace opacity;
 using doctest::Approx;
@@ -21,19 +20,8 @@ std::shared_ptr<Strands> strands_of(const std::vector<ShapePtr>& shapes) {
     return strands;
 }
 
-// FNV-1a
 std::uint64_t hash(const std::vector<ShapePtr>& shapes) {
-    std::uint64_t result = 14695981039346656037u;
-    const auto mix = [&](const void* bytes, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i)
-            result = (result ^ static_cast<const unsigned char*>(bytes)[i]) * 1099511628211u;
-    };
-    for (const ShapePtr& shape : shapes) {
-        for (std::size_t i = 0; i < shape->points().size(); ++i)
-            mix(shape->points()[i].data(), sizeof(double3));
-        for (const float3& color : shape->color()) mix(color.data(), sizeof color);
-    }
-    return result;
+    return ShapeHash{}.of(shapes);
 }
 
 // 1 inside a closed mesh and 0 outside (van Oosterom and Strackee's solid angle).

@@ -29,7 +29,11 @@ const std::vector<Demo>& demos() {
         {"dense_grass", "segments", 500'000, 100'000'000, demo::dense_grass},
         {"tree", "leaves", 30'000, 10'000'000, demo::tree},
         {"sparse_tree", "leaves", 3'000, 10'000'000, demo::sparse_tree},
+        {"smoke", "voxels", 250'000, 100'000'000, demo::smoke},
+        {"clouds", "voxels", 500'000, 100'000'000, demo::clouds},
+        {"plume", "particles", 16'000, 100'000'000, demo::plume},
         {"teapot", "segments", 300'000, 100'000'000, demo::teapot},
+        {"mixed", "primitives", 100'000, 100'000'000, demo::mixed},
     };
     return all;
 }

@@ -21,13 +21,17 @@ struct Request {
 // hair?segments=1000000&seed=7; ParameterError for a name or a value that is none.
 std::vector<ShapePtr> load(std::string_view request);
 
-// The first shapes are those that the count is of.
+// What the count is of comes first, the ground last.
 std::vector<ShapePtr> hair(const Request& request);
 std::vector<ShapePtr> fur(const Request& request);
 std::vector<ShapePtr> grass(const Request& request);
 std::vector<ShapePtr> dense_grass(const Request& request);
 std::vector<ShapePtr> tree(const Request& request);
 std::vector<ShapePtr> sparse_tree(const Request& request);
+std::vector<ShapePtr> smoke(const Request& request);
+std::vector<ShapePtr> clouds(const Request& request);
+std::vector<ShapePtr> plume(const Request& request);
 std::vector<ShapePtr> teapot(const Request& request);
+std::vector<ShapePtr> mixed(const Request& request);
 
 }  // namespace opacity::demo

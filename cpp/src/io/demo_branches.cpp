@@ -73,11 +73,11 @@ void add_branches(std::vector<Shoot>& shoots, const TreeShape& shape, Random& ra
     for (std::size_t i = 0; i < shape.branches; ++i) {
         const Shoot& trunk = shoots.front();
         const double v = (double(i) + 0.6 * random.uniform()) / double(shape.branches);
-        const double t = shape.bare + (0.98 - shape.bare) * v, from_widest = (v - 0.3) / 0.76;
+        const double t = shape.bare + (0.98 - shape.bare) * v, from_widest = (v - 0.28) / 0.75;
         const double crown = std::sqrt(std::max(0.05, 1.0 - from_widest * from_widest));
         const double length = shape.spread * crown * (1.0 + 0.2 * random.around_zero());
         const glm::dvec3 stem = trunk.tangent(t);
-        const glm::dvec3 direction = spiral.next(stem) + (shape.upward + 0.9 * v) * up;
+        const glm::dvec3 direction = spiral.next(stem) + (shape.upward + 0.7 * v) * up;
         const double radius = std::min(0.7 * tapered(trunk, t), 0.02 * length + 0.006);
         shoots.push_back(grown(1, trunk.at(t), direction, length, radius, random));
     }
@@ -100,7 +100,8 @@ glm::dvec3 Shoot::tangent(double t) const {
 glm::dvec3 across(const glm::dvec3& direction, const glm::dvec3& hint) {
     const glm::dvec3 rest = hint - glm::dot(hint, direction) * direction;
     if (glm::dot(rest, rest) > 1e-3) return glm::normalize(rest);
-    return across(direction, {hint.y, hint.z, hint.x});
+    return across(direction, std::abs(direction.x) < 0.7 ? glm::dvec3{1.0, 0.0, 0.0}
+                                                         : glm::dvec3{0.0, 1.0, 0.0});
 }
 
 std::vector<Shoot> grow(const TreeShape& shape, Random& random) {

@@ -42,7 +42,7 @@ class Field {
         const double lush = noise_.at(wide * at), gust = noise_.at(wide * at + 40.0);
         const glm::dvec3 stray = random_.unit_vector();
         Blade blade;
-        blade.root = glm::dvec3{meadow_.center + place, 0.0};
+        blade.root = at;
         // From the tuft outward, each its own way, and with the wind.
         blade.heading =
             glm::normalize(glm::dvec3{0.30 * from_tuft, 1.0} +

@@ -1,8 +1,7 @@
-// Grass on the ground z = 0, in centimetres.
+// Grass around the origin on the ground z = 0, in centimetres.
 #pragma once
 
 #include <cstddef>
-#include <glm/glm.hpp>
 #include <memory>
 
 #include "opacity/scene/strands.hpp"
@@ -16,7 +15,6 @@ struct Meadow {
     double droop;   // 0: blades stand, 1: their tips hang
     double straw;   // the part of blades that is dry
     double width = 0.42;
-    glm::dvec2 center{0.0};
 };
 
 std::shared_ptr<Strands> grass(const Meadow& meadow, std::size_t segments, unsigned seed);

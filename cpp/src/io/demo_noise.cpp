@@ -45,11 +45,20 @@ double Noise::at(const glm::dvec3& p) const {
     return mix(mix(edge(0, 0), edge(1, 0), fade.y), mix(edge(0, 1), edge(1, 1), fade.y), fade.z);
 }
 
-double Noise::fractal(const glm::dvec3& p, int octaves) const {
+template <class Shaped>
+double Noise::octaves(const glm::dvec3& p, int count, const Shaped& shaped) const {
     double sum = 0.0, frequency = 1.0, size = 1.0;
-    for (int octave = 0; octave < octaves; ++octave, frequency *= 2.0, size *= 0.5)
-        sum += size * at(frequency * p + double(octave) * glm::dvec3{17.3, 9.1, 5.7});
+    for (int octave = 0; octave < count; ++octave, frequency *= 2.0, size *= 0.5)
+        sum += size * shaped(at(frequency * p + double(octave) * glm::dvec3{17.3, 9.1, 5.7}));
     return sum;
+}
+
+double Noise::fractal(const glm::dvec3& p, int count) const {
+    return octaves(p, count, [](double value) { return value; });
+}
+
+double Noise::billows(const glm::dvec3& p, int count) const {
+    return octaves(p, count, [](double value) { return 2.4 * std::abs(value) - 0.6; });
 }
 
 glm::dvec3 Noise::vector(const glm::dvec3& p) const {

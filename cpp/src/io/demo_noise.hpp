@@ -17,10 +17,16 @@ class Noise {
     double at(const glm::dvec3& p) const;
     // Octaves of twice the frequency and half the size each, together about -1 .. 1.
     double fractal(const glm::dvec3& p, int octaves) const;
+    // As fractal, with round bulges outward and creases between them, as on cauliflower and
+    // cumulus.
+    double billows(const glm::dvec3& p, int octaves) const;
     // Three independent ones.
     glm::dvec3 vector(const glm::dvec3& p) const;
 
    private:
+    template <class Shaped>
+    double octaves(const glm::dvec3& p, int count, const Shaped& shaped) const;
+
     std::array<std::uint8_t, 512> shuffled_;  // a permutation, twice
 };
 

@@ -50,19 +50,14 @@ constexpr Limb limbs[] = {{{{{-1.6, 2.025}, {-2.3, 2.025}, {-2.7, 2.025}, {-2.7,
                            {{{3.3, 2.4}, {3.525, 2.49375}, {3.45, 2.5125}, {3.2, 2.4}}},
                            {0.25, 0.25, 0.15, 0.15}}};
 
-// A surface of revolution, whose first point lies on the axis or is left open.
 template <std::size_t Curves>
-void add_revolved(Triangles& mesh, const Profile (&profile)[Curves]) {
-    constexpr std::uint32_t around = 64;
+std::vector<glm::dvec2> sampled(const Profile (&profile)[Curves]) {
     constexpr int steps = 12;
-    const std::vector<glm::dvec2> circle = unit_circle(around);
-    for (std::size_t curve = 0; curve < Curves; ++curve)
-        for (int step = curve > 0; step <= steps; ++step) {
-            const glm::dvec2 p = unit * bezier(profile[curve], double(step) / steps);
-            for (const glm::dvec2& c : circle) mesh.add({p.x * c.x, p.x * c.y, p.y});
-            if (curve > 0 || step > 0)
-                mesh.band(mesh.count() - 2 * around, mesh.count() - around, around);
-        }
+    std::vector<glm::dvec2> points{unit * profile[0][0]};
+    for (const Profile& curve : profile)
+        for (int step = 1; step <= steps; ++step)
+            points.push_back(unit * bezier(curve, double(step) / steps));
+    return points;
 }
 
 // Across, a limb is two mirrored cubic curves between its inner and its outer side.
@@ -89,8 +84,8 @@ void add_limb(Triangles& mesh, const Limb& limb) {
 
 std::shared_ptr<Mesh> teapot() {
     Triangles triangles;
-    add_revolved(triangles, pot);
-    add_revolved(triangles, lid);
+    add_revolved(triangles, sampled(pot), 64);
+    add_revolved(triangles, sampled(lid), 64);
     for (const Limb& limb : limbs) add_limb(triangles, limb);
     return mesh(std::move(triangles), {{0.22f, 0.12f, 0.08f}});
 }

@@ -40,7 +40,7 @@ std::vector<ShapePtr> tree_on_lawn(const TreeShape& shape, const Foliage& foliag
 std::vector<ShapePtr> tree(const Request& request) {
     const TreeShape shape{.height = 7.0,
                           .bare = 0.24,
-                          .spread = 2.5,
+                          .spread = 3.0,
                           .branches = 28,
                           .branches_of_a_branch = 8,
                           .twigs_of_those = 6,

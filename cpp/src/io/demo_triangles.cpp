@@ -55,6 +55,16 @@ std::vector<glm::dvec2> unit_circle(int points) {
     return circle;
 }
 
+void add_revolved(Triangles& mesh, const std::vector<glm::dvec2>& profile, int around) {
+    const std::vector<glm::dvec2> circle = unit_circle(around);
+    const auto count = static_cast<std::uint32_t>(circle.size());
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        for (const glm::dvec2& c : circle)
+            mesh.add({profile[i].x * c.x, profile[i].x * c.y, profile[i].y});
+        if (i > 0) mesh.band(mesh.count() - 2 * count, mesh.count() - count, count);
+    }
+}
+
 std::shared_ptr<Mesh> ground(double half_side, float3 color) {
     constexpr int n = 24;
     Triangles square;

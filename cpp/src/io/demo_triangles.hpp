@@ -45,6 +45,10 @@ void add_ball(Triangles& mesh, int n,
 // parametrisation; the number of points is brought down to a multiple of 4.
 std::vector<glm::dvec2> unit_circle(int points);
 
+// A profile (distance from the z axis, height) turned around that axis, its outside to the right of
+// the profile's way; `around` is a multiple of 4.
+void add_revolved(Triangles& mesh, const std::vector<glm::dvec2>& profile, int around);
+
 // A square of z = 0 around the origin that receives and does not cast.
 std::shared_ptr<Mesh> ground(double half_side, float3 color);
 

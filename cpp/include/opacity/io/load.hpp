@@ -12,7 +12,8 @@
 
 namespace opacity {
 
-// A .hair or .obj file, or "demo:hair" (options as in "demo:hair?segments=1000000&seed=7").
+// A .hair or .obj file, or a generated scene: "demo:NAME", with options as in
+// "demo:hair?segments=1000000&style=curly&seed=7".
 // FileFormatError for a file that lies about its content; memory never far exceeds the file's size,
 // or that of the pictures it names. What a model lacks without harm, such as a picture, is a
 // warning.
@@ -29,6 +30,9 @@ std::vector<ShapePtr> load_obj(const std::filesystem::path& path, const Logger& 
 // particles. Of a material, base colour and alpha. An extension that the file requires and that is
 // not read is an error that names it; so are sparse accessors.
 std::vector<ShapePtr> load_gltf(const std::filesystem::path& path, const Logger& log = {});
+
+// What "demo:" can be followed by.
+std::vector<std::string> demo_names();
 
 // Hair over a head on a ground, in this order, in centimetres with z up; the same for the same seed
 // on every machine. The ground does not cast.
