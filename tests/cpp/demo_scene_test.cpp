@@ -35,10 +35,17 @@ struct Scene {
     std::uint64_t small_hash;  // of a thousand
 };
 const Scene scenes[] = {
-    {"hair", "segments", 0},        {"fur", "segments", 0},     {"grass", "segments", 0},
-    {"dense_grass", "segments", 0}, {"tree", "leaves", 0},      {"sparse_tree", "leaves", 0},
-    {"smoke", "voxels", 0},         {"clouds", "voxels", 0},    {"plume", "particles", 0},
-    {"teapot", "segments", 0},      {"mixed", "primitives", 0},
+    {"hair", "segments", 2791785696705299806u},
+    {"fur", "segments", 15072285627629442749u},
+    {"grass", "segments", 16454464393197130104u},
+    {"dense_grass", "segments", 8661533577214026717u},
+    {"tree", "leaves", 15387331877451687020u},
+    {"sparse_tree", "leaves", 18042437341010046146u},
+    {"smoke", "voxels", 11318295509043531793u},
+    {"clouds", "voxels", 6294674907010384628u},
+    {"plume", "particles", 11429347468370718908u},
+    {"teapot", "segments", 18349702768290536308u},
+    {"mixed", "primitives", 9898370267618474848u},
 };
 
 std::string request(const Scene& scene, std::size_t how_many) {
@@ -58,21 +65,23 @@ TEST_CASE("every demo is the same bits on every machine, and others for another 
     }
     CHECK(names == demo_names());
     CHECK(hash("demo:hair?segments=1000&style=wavy") == scenes[0].small_hash);
-    CHECK(hash("demo:hair?segments=1000&style=straight") == 0u);
-    CHECK(hash("demo:hair?segments=1000&style=curly") == 0u);
+    CHECK(hash("demo:hair?segments=1000&style=straight") == 1591771176673973951u);
+    CHECK(hash("demo:hair?segments=1000&style=curly") == 13861708877374287032u);
 }
 
 // That all numbers are finite and in range, shapes see to themselves.
-TEST_CASE("every demo has as many primitives as asked for, from one to a million") {
+TEST_CASE("every demo has as many primitives as asked for") {
     for (const Scene& scene : scenes)
-        for (const std::size_t wanted : {1, 7, 1000, 12'345, 1'000'000}) {
+        for (const std::size_t wanted : {1, 7, 1000, 12'345, 200'000}) {
             CAPTURE(scene.name);
             CAPTURE(wanted);
             const std::size_t made = count(load(request(scene, wanted)));
-            // A box of voxels has as many as its layers allow.
-            const bool fills_a_box = scene.primitive == "voxels";
+            // A box of voxels has as many as whole layers allow.
+            const std::size_t missing = scene.primitive != "voxels" ? 0
+                                        : wanted < 1000             ? wanted / 2
+                                                                    : wanted / 20;
             CHECK(made <= wanted);
-            CHECK(made >= (fills_a_box ? wanted - wanted / 10 : wanted));
+            CHECK(made >= wanted - missing);
         }
 }
 

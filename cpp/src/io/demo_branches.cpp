@@ -14,7 +14,7 @@ struct LevelHabit {
     int sides;           // of its tube
 };
 constexpr LevelHabit habits[] = {
-    {24, 0.05, 0.05, 16}, {12, 0.13, 0.045, 8}, {7, 0.17, 0.03, 4}, {4, 0.2, 0.02, 4}};
+    {24, 0.05, 0.05, 16}, {12, 0.13, 0.03, 8}, {7, 0.17, 0.03, 4}, {4, 0.2, 0.02, 4}};
 
 Shoot grown(int level, const glm::dvec3& root, const glm::dvec3& direction, double length,
             double radius, Random& random) {
@@ -74,10 +74,10 @@ void add_branches(std::vector<Shoot>& shoots, const TreeShape& shape, Random& ra
         const Shoot& trunk = shoots.front();
         const double v = (double(i) + 0.6 * random.uniform()) / double(shape.branches);
         const double t = shape.bare + (0.98 - shape.bare) * v, from_widest = (v - 0.28) / 0.75;
-        const double crown = std::sqrt(std::max(0.05, 1.0 - from_widest * from_widest));
+        const double crown = std::max(0.15, 1.0 - from_widest * from_widest);
         const double length = shape.spread * crown * (1.0 + 0.2 * random.around_zero());
         const glm::dvec3 stem = trunk.tangent(t);
-        const glm::dvec3 direction = spiral.next(stem) + (shape.upward + 0.7 * v) * up;
+        const glm::dvec3 direction = spiral.next(stem) + (shape.upward + 0.5 * v) * up;
         const double radius = std::min(0.7 * tapered(trunk, t), 0.02 * length + 0.006);
         shoots.push_back(grown(1, trunk.at(t), direction, length, radius, random));
     }

@@ -30,6 +30,15 @@ std::shared_ptr<Mesh> boulders(unsigned seed) {
     return mesh(std::move(triangles), {{0.42f, 0.4f, 0.38f}});
 }
 
+// Of one size at any number of segments, unlike a meadow.
+std::shared_ptr<Strands> tuft(std::size_t segments, unsigned seed) {
+    constexpr std::size_t usual = 88'000;
+    Meadow meadow{.blades_per_square_meter = 16'000.0, .height = 26.0, .droop = 0.6, .straw = 0.05};
+    meadow.blades_per_square_meter *= double(segments) / double(usual);
+    meadow.width *= size_for(segments, usual, 0.1, 3.0);
+    return grass(meadow, segments, seed);
+}
+
 std::shared_ptr<Particles> dust(std::size_t count, unsigned seed) {
     const Noise noise{seed, 72};
     Random random{seed, 73};
@@ -51,9 +60,7 @@ std::shared_ptr<Particles> dust(std::size_t count, unsigned seed) {
 std::vector<ShapePtr> mixed(const Request& request) {
     const std::size_t leaf_count = request.count / 50, particle_count = request.count / 10;
     const unsigned seed = request.seed;
-    const Meadow tuft{
-        .blades_per_square_meter = 16'000.0, .height = 26.0, .droop = 0.6, .straw = 0.05};
-    std::vector<ShapePtr> shapes{grass(tuft, request.count - leaf_count - particle_count, seed)};
+    std::vector<ShapePtr> shapes{tuft(request.count - leaf_count - particle_count, seed)};
     place_at(*shapes.back(), 0.01, {0.2, 0.15});
 
     Random random{seed, 74};

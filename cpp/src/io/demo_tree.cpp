@@ -40,20 +40,20 @@ std::vector<ShapePtr> tree_on_lawn(const TreeShape& shape, const Foliage& foliag
 std::vector<ShapePtr> tree(const Request& request) {
     const TreeShape shape{.height = 7.0,
                           .bare = 0.24,
-                          .spread = 3.0,
+                          .spread = 3.2,
                           .branches = 28,
                           .branches_of_a_branch = 8,
                           .twigs_of_those = 6,
                           .upward = 0.45};
     return tree_on_lawn(
-        shape, {0.1, 30'000, {{0.06, 0.17, 0.025}, {0.12, 0.26, 0.04}, {0.24, 0.36, 0.07}}},
+        shape, {0.12, 30'000, {{0.06, 0.17, 0.025}, {0.12, 0.26, 0.04}, {0.24, 0.36, 0.07}}},
         request);
 }
 
 std::vector<ShapePtr> sparse_tree(const Request& request) {
     const TreeShape shape{.height = 5.0,
                           .bare = 0.3,
-                          .spread = 1.9,
+                          .spread = 2.1,
                           .branches = 16,
                           .branches_of_a_branch = 5,
                           .twigs_of_those = 4,

@@ -14,12 +14,13 @@ glm::dvec3 vec(const double3& p) {
     return {p[0], p[1], p[2]};
 }
 
-// Along x, y, z: in proportion to the box, then whole numbers.
+// In proportion to the box, then in whole numbers.
 Volume::Size size_zyx(const glm::dvec3& extent, std::size_t most_voxels) {
-    const double shortest = std::min({extent.x, extent.y, extent.z});
+    const double longest = std::max({extent.x, extent.y, extent.z});
     glm::i64vec3 best{1};
     for (std::int64_t cells = 1;; ++cells) {
-        const glm::i64vec3 size{extent / shortest * double(cells) + 0.5};
+        const glm::i64vec3 rounded{extent / longest * double(cells) + 0.5};
+        const glm::i64vec3 size = glm::max(rounded, glm::i64vec3{1});
         if (std::uint64_t(size.x * size.y * size.z) > most_voxels) break;
         best = size;
     }

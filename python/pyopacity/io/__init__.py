@@ -14,7 +14,15 @@ def load(path: str | os.PathLike[str]) -> list[Shape]:
 
     - ``.hair`` (cyHair): strands, with what arrays it has for width, opacity and colour.
     - ``.obj`` and its ``.mtl``: a mesh for each material, with its colour and constant opacity.
-    - ``demo:hair``, or ``demo:hair?segments=1000000&seed=7``: hair over a head on a ground.
+    - ``demo:NAME``, or with options ``demo:NAME?segments=1000000&seed=7``: a generated scene, the
+      same for the same seed on every machine. Its last shape is a ground that does not cast.
+
+      - of strands, with ``segments``: ``hair`` over a head (``style`` is ``wavy``, ``straight`` or
+        ``curly``), ``fur`` on a rabbit, ``teapot`` in a coat of fur, ``grass``, ``dense_grass``;
+      - of quads with an alpha map, with ``leaves``: ``tree`` and, in autumn, ``sparse_tree``;
+      - of a volume, with ``voxels`` at most: ``smoke`` over a fireplace, ``clouds`` over a plain;
+      - of ``particles``: ``plume``, the smoke of a chimney;
+      - of all but a volume, with ``primitives``: ``mixed``.
 
     Raises:
         FileFormatError: a file that is missing, truncated, not what its name says, or of a format
