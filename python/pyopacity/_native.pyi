@@ -20,14 +20,16 @@ def technique_names() -> list[str]: ...
 def make_technique(name: str, /) -> Technique: ...
 def load(path_or_name: str | bytes, /) -> tuple[list[Shape], list[_Message]]: ...
 def light_points(light: Light, /) -> list[Sequence[float]]: ...
+def receivers_on(shape: Shape, /) -> _F64: ...
 def trace_backends() -> list[str]: ...
 def trace_transmittance(
     scene: Scene,
     points: _Floats,
     light: int,
-    footprint: float,
+    footprint: _F64,
     samples: int,
     bias: _F64,
+    indices: npt.NDArray[np.uint32] | None,
     backend: str,
     progress: Callable[[float], object] | None,
     /,
@@ -36,9 +38,10 @@ def trace_transmittance_of(
     scene: Scene,
     shape: Shape,
     light: int,
-    footprint: float,
+    footprint: _F64,
     samples: int,
     bias: _F64,
+    indices: npt.NDArray[np.uint32] | None,
     backend: str,
     progress: Callable[[float], object] | None,
     /,

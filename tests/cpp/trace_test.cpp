@@ -63,7 +63,7 @@ TraceSettings strict(const std::string& backend = "auto") {
 
 TraceSettings footprint(double side, int samples) {
     TraceSettings settings;
-    settings.footprint = side;
+    settings.footprint = {side};
     settings.samples = samples;
     return settings;
 }
@@ -190,7 +190,7 @@ TEST_CASE("rays: what is wrong is named") {
     };
     refused([](TraceSettings& s) { s.light = 1; });
     refused([](TraceSettings& s) { s.samples = 0; });
-    refused([](TraceSettings& s) { s.footprint = std::nan(""); });
+    refused([](TraceSettings& s) { s.footprint = {std::nan("")}; });
     refused([](TraceSettings& s) { s.bias = {0.1, 0.2}; });
     refused([](TraceSettings& s) { s.bias = {-1.0}; });
     refused([](TraceSettings& s) { s.threads = -1; });

@@ -2,7 +2,9 @@
 // against (docs/accuracy.md, "Truth by rays"). Float64 on the CPU; needs no OpenGL.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +14,16 @@ namespace opacity {
 
 struct TraceSettings {
     int light = 0;  // index into the scene's lights
-    // Side, in world units, of a square across the light about each point; T is its mean over
-    // `samples` rays (1 .. 65536), one in each of as many parts of equal area. 0: one ray.
-    double footprint = 0.0;
+    // Side, in world units, of a square about each point and across its ray; T is its mean over
+    // `samples` rays (1 .. 65536), one in each of as many parts of equal area. 0: one ray. One for
+    // all points, or one a point.
+    std::vector<double> footprint{0.0};
     int samples = 64;
     // World units: casters nearer than this toward the light do not count. None: automatic. One for
     // all points, or one a point.
     std::vector<double> bias;
+    // Of a shape's points, those that are asked about, in this order; otherwise all.
+    std::optional<std::vector<std::size_t>> indices;
     // "embree" or "builtin", which give the same bits; "auto" takes the first of trace_backends().
     std::string backend = "auto";
     // 0: as many as the machine runs at once. The result does not depend on it.
@@ -29,10 +34,11 @@ struct TraceSettings {
 };
 
 // T in [0, 1] at world points: the product of 1 - opacity over what lies between each point and
-// the light; 0 behind what is opaque, 1 without a light.
+// the light; 0 behind what is opaque, 1 without a light. Of an area light the mean over its points.
 std::vector<float> trace_transmittance(const Scene& scene, const Positions& world_points,
                                        const TraceSettings& settings = {});
-// At a shape's own points; the automatic bias is then that of its own strands.
+// At a shape's own points, of a volume the centres of its voxels. The automatic bias is then that
+// of its own strands; a particle does not count at its own centre, nor half a voxel at its own.
 std::vector<float> trace_transmittance(const Scene& scene, const Shape& shape,
                                        const TraceSettings& settings = {});
 

@@ -9,6 +9,7 @@
 #include "bindings/bindings.hpp"
 #include "opacity/scene/camera.hpp"
 #include "scene/bias.hpp"
+#include "scene/receivers.hpp"
 
 namespace opacity::bindings {
 namespace {
@@ -34,6 +35,20 @@ void bind_camera(py::module_& module) {
 
 void bind_scene(py::module_& module) {
     bind_camera(module);
+    module.def("receivers_on", [](const Shape& shape) {
+        const Receivers receivers = [&] {
+            const py::gil_scoped_release release;  // before the shape's lock: see shapes.cpp
+            return receivers_on(shape);
+        }();
+        const Positions& points = receivers.world_points;
+        std::vector<double> xyz;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double3 p = points[i];
+            xyz.insert(xyz.end(), p.begin(), p.end());
+        }
+        const auto count = py::ssize_t(points.size());
+        return take<double, double>(std::move(xyz), {count, 3});
+    });
     py::classh<Scene>(module, "Scene")
         .def(py::init<>())
         .def("add", py::overload_cast<ShapePtr>(&Scene::add))

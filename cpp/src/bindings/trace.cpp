@@ -18,11 +18,20 @@ std::function<void(double)> told(const py::object& progress) {
     };
 }
 
+using Indices = std::optional<Array<std::uint32_t>>;
+
+std::optional<std::vector<std::size_t>> chosen(const Indices& indices) {
+    if (!indices) return {};
+    return std::vector<std::size_t>{indices->data(), indices->data() + indices->size()};
+}
+
 template <class Where>
-py::array trace_at(const Scene& scene, const Where& where, int light, double footprint, int samples,
-                   const Array<double>& bias, const std::string& backend,
-                   const py::object& progress) {
-    TraceSettings settings{light, footprint, samples, to_vector(bias), backend, 0, told(progress)};
+py::array trace_at(const Scene& scene, const Where& where, int light,
+                   const Array<double>& footprint, int samples, const Array<double>& bias,
+                   const Indices& indices, const std::string& backend, const py::object& progress) {
+    const TraceSettings settings{
+        light, to_vector(footprint), samples, to_vector(bias), chosen(indices), backend,
+        0,     told(progress)};
     std::vector<float> result;
     {
         const py::gil_scoped_release release;
@@ -32,9 +41,11 @@ py::array trace_at(const Scene& scene, const Where& where, int light, double foo
     return take(std::move(result));
 }
 
-py::array trace(const Scene& scene, const py::array& xyz, int light, double footprint, int samples,
-                const Array<double>& bias, const std::string& backend, const py::object& progress) {
-    return trace_at(scene, to_positions(xyz), light, footprint, samples, bias, backend, progress);
+py::array trace(const Scene& scene, const py::array& xyz, int light, const Array<double>& footprint,
+                int samples, const Array<double>& bias, const Indices& indices,
+                const std::string& backend, const py::object& progress) {
+    return trace_at(scene, to_positions(xyz), light, footprint, samples, bias, indices, backend,
+                    progress);
 }
 
 }  // namespace

@@ -28,7 +28,12 @@ struct Bounds {
         }
     }
     float extent(std::size_t axis) const { return max[axis] - min[axis]; }
-    float area() const { return extent(0) >= 0.f ? extent(0) * extent(1) : 0.f; }
+    // What rays see of it: those along the z axis, or those in all directions.
+    float area(bool parallel) const {
+        if (!(extent(0) >= 0.f)) return 0.f;
+        const float across = extent(0) * extent(1);
+        return parallel ? across : across + extent(2) * (extent(0) + extent(1));
+    }
 };
 
 // Twice the middle, which sorts alike.
@@ -50,12 +55,13 @@ struct Bin {
         box.extend(other.box);
         count += other.count;
     }
-    float cost() const { return box.area() * float(count); }
+    float cost(bool parallel) const { return box.area(parallel) * float(count); }
 };
 
 class Builtin : public Backend {
    public:
-    Builtin(const Casters& casters, const Stop& stop) : pieces_{pieces_of(casters)} {
+    Builtin(const Casters& casters, const Stop& stop)
+        : parallel_{casters.parallel}, pieces_{pieces_of(casters)} {
         nodes_.reserve(pieces_.size());
         nodes_.emplace_back();
         build(0, 0, std::uint32_t(pieces_.size()), 0, stop);
@@ -68,17 +74,19 @@ class Builtin : public Backend {
                const Stop& stop);
     std::uint32_t divide(std::uint32_t first, std::uint32_t last, const Bounds& centers, int depth);
 
+    const bool parallel_;
     std::vector<Piece> pieces_;  // those of a leaf side by side
     std::vector<Node> nodes_;
 };
 
-// Along the longest side of the box around the middles.
+// Along the longest side, across the rays, of the box around the middles.
 struct Binning {
     std::size_t axis = 0;
     float low = 0.f, bins_per_unit = 0.f;
 
-    explicit Binning(const Bounds& centers) {
+    Binning(const Bounds& centers, bool parallel) {
         if (centers.extent(1) > centers.extent(0)) axis = 1;
+        if (!parallel && centers.extent(2) > centers.extent(axis)) axis = 2;
         if (!(centers.extent(axis) > 0.f)) axis = 2;
         low = centers.min[axis];
         bins_per_unit = float(bin_count) / centers.extent(axis);
@@ -89,20 +97,20 @@ struct Binning {
 };
 
 // The last bin of the left part for which the heuristic expects least work.
-int best_split(const std::array<Bin, bin_count>& bins) {
+int best_split(const std::array<Bin, bin_count>& bins, bool parallel) {
     std::array<float, bin_count> right{};
     Bin sum;
     for (std::size_t i = bin_count - 1; i > 0; --i) {
         sum.add(bins[i]);
-        right[i - 1] = sum.cost();
+        right[i - 1] = sum.cost(parallel);
     }
     std::size_t best = 0;
     float least = infinity;
     sum = {};
     for (std::size_t i = 0; i + 1 < bin_count; ++i) {
         sum.add(bins[i]);
-        if (sum.cost() + right[i] >= least) continue;
-        least = sum.cost() + right[i];
+        if (sum.cost(parallel) + right[i] >= least) continue;
+        least = sum.cost(parallel) + right[i];
         best = i;
     }
     return int(best);
@@ -112,7 +120,7 @@ int best_split(const std::array<Bin, bin_count>& bins) {
 std::uint32_t Builtin::divide(std::uint32_t first, std::uint32_t last, const Bounds& centers,
                               int depth) {
     const std::uint32_t middle = first + (last - first) / 2;
-    const Binning bin_of{centers};
+    const Binning bin_of{centers, parallel_};
     if (!(centers.extent(bin_of.axis) > 0.f) || depth > most_depth_by_area) return middle;
     std::array<Bin, bin_count> bins;
     for (std::uint32_t i = first; i < last; ++i) {
@@ -120,7 +128,7 @@ std::uint32_t Builtin::divide(std::uint32_t first, std::uint32_t last, const Bou
         bin.box.extend(pieces_[i]);
         ++bin.count;
     }
-    const int split = best_split(bins);
+    const int split = best_split(bins, parallel_);
     const auto right = std::partition(pieces_.begin() + first, pieces_.begin() + last,
                                       [&](const Piece& piece) { return bin_of(piece) <= split; });
     const auto at = std::uint32_t(right - pieces_.begin());

@@ -1,49 +1,73 @@
-// What casts, copied out of the scene into one frame: float64, so that nothing depends on where the
-// scene lies, and about one unit large, so that a hierarchy in float32 fits any scene.
+// What casts, copied out of the scene into one frame.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "opacity/core/math.hpp"
 #include "opacity/scene/scene.hpp"
+#include "rays/coverage.hpp"
+#include "rays/frame.hpp"
+#include "rays/voxels.hpp"
 
 namespace opacity::rays {
-
-// World to the frame: turned, moved and scaled by a power of two, which rounds nothing.
-struct Frame {
-    double3 center{};               // in world space
-    double4x4 rotation = identity;  // world to frame
-    double scale = 1.0;             // the frame's units per world unit
-
-    double3 from_world(const double3& p) const;
-};
 
 struct Vertex {
     double3 position;
     double half_width;  // 0 on a surface
     double opacity;
+    float2 uv{};
 };
 
-// One number for each primitive: first the segments, then the triangles.
+struct Sphere {
+    double3 center;
+    double radius;
+    double optical_depth;  // through the centre
+};
+
+// Triangles first .. end - 1, which an alpha map covers.
+struct Foliage {
+    std::uint32_t first, end;
+    Coverage coverage;
+};
+
+enum class Kind { segment, triangle, sphere, volume };
+
+// One number for each primitive: the segments, the triangles, the spheres, the volumes.
 struct Casters {
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
     Frame frame;
+    // Whether all rays run against the frame's z axis.
+    bool parallel = true;
     std::vector<Vertex> vertices;
     // The first vertex of each segment, the other is the next one. Two segments that follow one
     // another are of one strand exactly if their vertices do too.
     std::vector<std::uint32_t> segments;
     std::vector<std::array<std::uint32_t, 3>> triangles;  // those of opaque meshes last
     std::uint32_t first_opaque = 0;                       // index into triangles
-    Box bounds;                                           // in the frame, widths included
+    std::vector<Foliage> foliage;                         // by triangles
+    std::vector<Sphere> spheres;
+    std::vector<Voxels> volumes;
+    // Of the particles that are asked about, if they cast.
+    std::uint32_t first_own_sphere = none;
+    Box bounds;  // in the frame, widths included
 
-    std::uint32_t primitive_count() const {
-        return std::uint32_t(segments.size() + triangles.size());
+    struct Primitive {
+        Kind kind;
+        std::uint32_t index;
+    };
+    Primitive primitive(std::uint32_t number) const;
+    std::uint32_t number_of_sphere(std::uint32_t index) const {
+        return std::uint32_t(segments.size() + triangles.size()) + index;
     }
-    Box bounds_of(std::uint32_t primitive) const;
+    std::uint32_t primitive_count() const {
+        return number_of_sphere(std::uint32_t(spheres.size() + volumes.size()));
+    }
+    Box bounds_of(std::uint32_t number) const;
 };
 
-// Takes each shape's lock while it copies. The frame's axes are the rows of `rotation`.
-Casters casters_of(const Scene& scene, const double4x4& rotation);
+// Takes each shape's lock while it copies. `own`: whose points are asked about, or null.
+Casters casters_of(const Scene& scene, const Light& light, const Shape* own = nullptr);
 
 }  // namespace opacity::rays

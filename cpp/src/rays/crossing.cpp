@@ -78,8 +78,9 @@ class Nearest {
     void offer(std::uint32_t segment, const Pass& p, double along) {
         if (crossing_ && squared_ <= p.squared) return;
         const Vertex* vertex = &casters_.vertices[casters_.segments[segment]];
-        crossing_ = {std::lerp(p.distance_first, p.distance_last, along),
-                     std::lerp(vertex[0].opacity, vertex[1].opacity, along)};
+        const double distance = std::lerp(p.distance_first, p.distance_last, along);
+        crossing_ = {distance, distance,
+                     optical_depth(std::lerp(vertex[0].opacity, vertex[1].opacity, along))};
         squared_ = p.squared;
     }
 
@@ -106,7 +107,27 @@ bool owns(double signed_area, const double3& from, const double3& to) {
     return to[1] > from[1] || (to[1] == from[1] && to[0] < from[0]);
 }
 
+// 1 where no alpha map says otherwise.
+double coverage(const Casters& casters, std::uint32_t triangle, const std::array<double, 2>& uv) {
+    const auto after =
+        std::upper_bound(casters.foliage.begin(), casters.foliage.end(), triangle,
+                         [](std::uint32_t t, const Foliage& foliage) { return t < foliage.first; });
+    if (after == casters.foliage.begin() || triangle >= (after - 1)->end) return 1.0;
+    return (after - 1)->coverage.at(uv);
+}
+
 }  // namespace
+
+double optical_depth(double opacity) {
+    return -std::log1p(-std::min(opacity, 1.0 - 0x1p-24));
+}
+
+double within(const Span& span, const Crossing& crossing) {
+    const auto& [in, out, depth] = crossing;
+    if (!(out > in)) return in > span.from && in < span.to ? depth : 0.0;
+    const double length = std::min(out, span.to) - std::max(in, span.from);
+    return length > 0.0 ? length / (out - in) * depth : 0.0;
+}
 
 bool touches(const Casters& casters, const Ray& ray, std::uint32_t segment) {
     return pass(casters, ray, segment).inside;
@@ -143,14 +164,24 @@ std::optional<Crossing> cross_triangle(const Casters& casters, const Ray& ray,
     const double sum = weight[0] + weight[1] + weight[2];
     if (sum == 0.0) return {};
     const double sign = sum > 0.0 ? 1.0 : -1.0;  // counter-clockwise from here on
-    Crossing crossing{0.0, 0.0};
+    double distance = 0.0, opacity = 0.0;
+    std::array<double, 2> uv{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double3 &from = seen[(i + 1) % 3], &to = seen[(i + 2) % 3];
         if (!owns(sign * weight[i], sign > 0.0 ? from : to, sign > 0.0 ? to : from)) return {};
-        crossing.distance += weight[i] / sum * seen[i][2];
-        crossing.opacity += weight[i] / sum * vertex[i]->opacity;
+        distance += weight[i] / sum * seen[i][2];
+        opacity += weight[i] / sum * vertex[i]->opacity;
+        for (std::size_t k = 0; k < 2; ++k) uv[k] += weight[i] / sum * vertex[i]->uv[k];
     }
-    return crossing;
+    return Crossing{distance, distance, optical_depth(opacity * coverage(casters, triangle, uv))};
+}
+
+std::optional<Crossing> cross_sphere(const Sphere& sphere, const Ray& ray) {
+    const double3 seen = ray.seen(sphere.center);
+    const double squared = sphere.radius * sphere.radius - squared_across(seen);
+    if (!(squared > 0.0)) return {};
+    const double half = std::sqrt(squared);
+    return Crossing{seen[2] - half, seen[2] + half, half / sphere.radius * sphere.optical_depth};
 }
 
 }  // namespace opacity::rays

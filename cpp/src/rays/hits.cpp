@@ -6,32 +6,40 @@
 #include "rays/crossing.hpp"
 
 namespace opacity::rays {
-namespace {
 
-// -log(1 - opacity); opacity 1 on what is not an opaque mesh is the next smaller float32.
-double optical_depth(double opacity) {
-    return -std::log1p(-std::min(opacity, 1.0 - 0x1p-24));
-}
-
-}  // namespace
-
-void Hits::start(const Ray& ray, double bias) {
+void Hits::start(const Ray& ray, const Span& span, std::uint32_t own) {
     ray_ = ray;
-    bias_ = bias;
+    span_ = span;
+    own_ = own;
     blocked_ = false;
     hits_.clear();
 }
 
 bool Hits::visit(std::uint32_t primitive) {
-    const auto segments = std::uint32_t(casters_.segments.size());
-    if (primitive < segments) {
-        if (touches(casters_, ray_, primitive)) hits_.push_back({primitive, 0.0});
-        return true;
+    if (primitive == own_) return true;
+    const auto [kind, index] = casters_.primitive(primitive);
+    switch (kind) {
+        case Kind::segment:
+            if (touches(casters_, ray_, index)) hits_.push_back({primitive, 0.0});
+            return true;
+        case Kind::triangle:
+            return visit_triangle(primitive, index);
+        case Kind::sphere:
+            if (const auto crossing = cross_sphere(casters_.spheres[index], ray_))
+                hits_.push_back({primitive, within(span_, *crossing)});
+            return true;
+        case Kind::volume:
+            hits_.push_back({primitive, casters_.volumes[index].optical_depth(ray_, span_)});
+            return true;
     }
-    const auto crossing = cross_triangle(casters_, ray_, primitive - segments);
-    if (!crossing || !(crossing->distance > bias_)) return true;
-    blocked_ = primitive - segments >= casters_.first_opaque;
-    hits_.push_back({primitive, crossing->opacity});
+    return true;
+}
+
+bool Hits::visit_triangle(std::uint32_t primitive, std::uint32_t triangle) {
+    const auto crossing = cross_triangle(casters_, ray_, triangle);
+    if (!crossing || !(crossing->in > span_.from && crossing->in < span_.to)) return true;
+    blocked_ = triangle >= casters_.first_opaque;
+    hits_.push_back({primitive, crossing->optical_depth});
     return !blocked_;
 }
 
@@ -40,8 +48,7 @@ double Hits::optical_depth_of_strands(std::size_t& next) const {
     double sum = 0.0;
     while (next < hits_.size() && hits_[next].primitive < casters_.segments.size()) {
         const Stretch stretch = stretch_around(casters_, ray_, hits_[next].primitive);
-        if (stretch.crossing && stretch.crossing->distance > bias_)
-            sum += optical_depth(stretch.crossing->opacity);
+        if (stretch.crossing) sum += within(span_, *stretch.crossing);
         while (next < hits_.size() && hits_[next].primitive <= stretch.last) ++next;
     }
     return sum;
@@ -55,7 +62,7 @@ double Hits::transmittance() {
     double sum = optical_depth_of_strands(next);
     for (std::size_t i = next; i < hits_.size(); ++i)
         if (i == next || hits_[i].primitive != hits_[i - 1].primitive)
-            sum += optical_depth(hits_[i].opacity);
+            sum += hits_[i].optical_depth;
     return std::exp(-sum);
 }
 

@@ -14,8 +14,8 @@ class Hits {
    public:
     explicit Hits(const Casters& casters) : casters_{casters} {}
 
-    // Crossings that are not farther than `bias` from the origin do not count.
-    void start(const Ray& ray, double bias);
+    // Casters count within the span, and all but `own`, a primitive, or Casters::none.
+    void start(const Ray& ray, const Span& span, std::uint32_t own);
     // For each primitive whose box the ray meets, at least once. False: nothing more can change T.
     bool visit(std::uint32_t primitive);
     // T: exp(-sum of optical depth), in the order of the primitives.
@@ -26,13 +26,15 @@ class Hits {
    private:
     struct Hit {
         std::uint32_t primitive;
-        double opacity;  // of a triangle
+        double optical_depth;  // not of a segment
     };
     double optical_depth_of_strands(std::size_t& next) const;
+    bool visit_triangle(std::uint32_t primitive, std::uint32_t triangle);
 
     const Casters& casters_;
     Ray ray_{};
-    double bias_ = 0.0;
+    Span span_{};
+    std::uint32_t own_ = Casters::none;
     bool blocked_ = false;
     std::vector<Hit> hits_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace opacity::rays {
 namespace {
@@ -20,12 +21,14 @@ Piece piece(const Box& box, std::uint32_t primitive) {
     return result;
 }
 
-// By the shorter side of its box, as light sees it: a segment along an axis fills its box.
-int count_of(const Vertex& a, const Vertex& b) {
-    const double side =
-        std::min(std::abs(a.position[0] - b.position[0]), std::abs(a.position[1] - b.position[1]));
-    const double wanted =
-        side / (2.0 * widths_a_piece * std::max({a.half_width, b.half_width, 1e-6}));
+// By the side of its box that least keeps rays away: a segment along an axis fills its box. Rays
+// along the z axis see two sides of it, others three.
+int count_of(const Vertex& a, const Vertex& b, bool parallel) {
+    double3 side{};
+    for (std::size_t i = 0; i < 3; ++i) side[i] = std::abs(a.position[i] - b.position[i]);
+    if (!parallel) std::sort(side.begin(), side.end(), std::greater<>{});
+    const double wanted = std::min(side[0], side[1]) /
+                          (2.0 * widths_a_piece * std::max({a.half_width, b.half_width, 1e-6}));
     return int(std::clamp(std::ceil(wanted), 1.0, double(most_pieces)));
 }
 
@@ -48,7 +51,7 @@ std::vector<Piece> pieces_of(const Casters& casters) {
             continue;
         }
         const Vertex* vertex = &casters.vertices[casters.segments[i]];
-        const int count = count_of(vertex[0], vertex[1]);
+        const int count = count_of(vertex[0], vertex[1], casters.parallel);
         for (int k = 0; k < count; ++k) {
             Box box;
             for (const int end : {k, k + 1}) {

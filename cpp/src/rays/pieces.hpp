@@ -10,8 +10,9 @@
 
 namespace opacity::rays {
 
-// Boxes grow by this much, in the frame's units: more than all that float32 rounds.
-inline constexpr double box_margin = 0x1p-20;
+// Boxes grow by this much, in the frame's units: more than all that float32 rounds, of rays in any
+// direction.
+inline constexpr double box_margin = 0x1p-19;
 
 struct Piece {
     std::array<float, 3> min, max;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/glm.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,28 +23,11 @@ Positions moved(const Shape& shape, std::size_t count, const auto& local_point) 
     return Positions{std::move(world_points)};
 }
 
-std::array<double, 9> voxels_from_world(const Volume& volume) {
-    const double4x4& m = volume.transform();
-    glm::dmat3 from_voxels;  // by columns
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            from_voxels[column][row] = m[4 * row + column] * volume.spacing()[column];
-    const glm::dmat3 inverse = glm::inverse(from_voxels);
-    std::array<double, 9> rows{};
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column) rows[3 * row + column] = inverse[column][row];
-    return rows;
-}
-
 }  // namespace
 
 double Receivers::own_half_chord(const double3& direction) const {
-    double fastest = 0.0;  // in voxels per world unit
-    for (std::size_t row = 0; row < 3; ++row) {
-        const double* m = &voxels_from_world[3 * row];
-        fastest = std::max(
-            fastest, std::abs(m[0] * direction[0] + m[1] * direction[1] + m[2] * direction[2]));
-    }
+    const double3 speed = product(voxels_from_world, direction);
+    const double fastest = std::max({std::abs(speed[0]), std::abs(speed[1]), std::abs(speed[2])});
     return fastest > 0.0 ? 0.5 / fastest : 0.0;
 }
 
@@ -55,7 +37,7 @@ Receivers receivers_on(const Shape& shape) {
     receivers.strand_width = shape.strand_width();
     receivers.at_particles = dynamic_cast<const Particles*>(&shape) != nullptr;
     if (const auto* volume = dynamic_cast<const Volume*>(&shape)) {
-        receivers.voxels_from_world = voxels_from_world(*volume);
+        receivers.voxels_from_world = inverse(linear_part(volume->transform(), volume->spacing()));
         receivers.world_points = moved(shape, volume->voxel_count(),
                                        [&](std::size_t i) { return volume->voxel_center(i); });
     } else {

@@ -3,8 +3,7 @@
 // half a voxel around its own. A surface has nothing of that kind.
 #pragma once
 
-#include <array>
-
+#include "core/matrix3.hpp"
 #include "opacity/scene/shape.hpp"
 
 namespace opacity {
@@ -14,8 +13,8 @@ struct Receivers {
     double strand_width = 0.0;  // world units
     // Point i is the centre of particle i of the shape: there that particle does not count.
     bool at_particles = false;
-    // By rows, world to voxels without the translation; of the centres of voxels, else all 0.
-    std::array<double, 9> voxels_from_world{};
+    // World to voxels, of the centres of voxels; else all 0.
+    double3x3 voxels_from_world{};
 
     // World units: what a ray from the centre of a voxel passes of that voxel; 0 elsewhere. The
     // direction has length 1.
