@@ -252,7 +252,7 @@ TEST_CASE("copies in light space follow their shape and the light, and are else 
         CHECK(kept.points == made.points);
         CHECK(kept.indices == made.indices);
         CHECK(kept.opacity == made.opacity);
-        CHECK(kept.strands);
+        CHECK(kept.kind == CasterKind::strands);
         return std::exchange(last, kept.points.data()) != kept.points.data();
     };
     CHECK(moves());
