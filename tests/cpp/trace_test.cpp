@@ -17,7 +17,9 @@
 #include "opacity/core/error.hpp"
 #include "opacity/io/load.hpp"
 #include "opacity/scene/mesh.hpp"
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
+#include "opacity/scene/volume.hpp"
 #include "rays/backend.hpp"
 #include "rays/crossing.hpp"
 #include "rays/footprint.hpp"
@@ -97,6 +99,38 @@ TEST_CASE("rays: the same bits on 1, 2 and 8 threads, with every backend") {
             settings.threads = threads;
             CHECK(trace_transmittance(scene, hair, settings) == expected);
         }
+}
+
+TEST_CASE("rays: particles, voxels and foliage, the same bits however they are found") {
+    std::vector<double> centers;
+    for (int i = 0; i < 600; ++i) centers.push_back(std::sin(12.9898 * i) * 3.0);
+    std::vector<float> extinction(12 * 10 * 9);
+    for (std::size_t i = 0; i < extinction.size(); ++i) extinction[i] = i % 7 == 0 ? 0.5f : 0.f;
+    const auto dust = std::make_shared<Particles>(Positions{centers}, std::vector<float>{0.2f});
+    const auto smoke = std::make_shared<Volume>(Volume::Size{12, 10, 9}, extinction,
+                                                double3{-2, -2, -2}, double3{0.4, 0.4, 0.4});
+    const auto leaf = std::static_pointer_cast<Mesh>(square(0, 0.9f));
+    leaf->set_uvs({{0.f, 3.f}, {2.f, 3.f}, {2.f, 0.f}, {0.f, 0.f}});
+    leaf->set_alpha(std::make_shared<TextureMap>(TextureMap{2, 2, 1, {0.f, 1.f, 0.3f, 0.8f}}),
+                    AlphaMode::blend);
+    Scene scene;
+    for (const ShapePtr& shape : {ShapePtr{dust}, ShapePtr{smoke}, ShapePtr{leaf}})
+        scene.add(shape);
+    scene.add(std::make_shared<AreaLight>(double3{1, 2, 5}, double3{1, 0, 0}, double3{0, 1, 0}, 2));
+    TraceSettings settings = footprint(0.2, 5);
+    settings.threads = 1;
+    settings.backend = "builtin";
+    for (const ShapePtr& shape : scene.shapes()) {
+        const std::vector<float> expected = trace_transmittance(scene, *shape, settings);
+        CHECK(expected.size() == (shape == smoke ? extinction.size() : shape->points().size()));
+        for (const std::string& backend : trace_backends())
+            for (const int threads : {1, 2, 8}) {
+                TraceSettings other = settings;
+                other.backend = backend;
+                other.threads = threads;
+                CHECK(trace_transmittance(scene, *shape, other) == expected);
+            }
+    }
 }
 
 TEST_CASE("rays: any number of samples lies one in each part of equal area") {

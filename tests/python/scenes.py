@@ -40,3 +40,45 @@ def impersonal(name, **parameters):
     if "own_correction" in {parameter.name for parameter in technique.parameters}:
         technique.own_correction = False
     return technique
+
+
+def random_shapes(seed: int) -> list[po.Shape]:
+    """A caster of each kind, about three units across, with changing attributes, each moved."""
+    random = np.random.default_rng(seed)
+    steps = random.normal(0.0, 0.4, (8, 7, 3))
+    steps[0, 3] = 0.0  # a point twice
+    xyz = (random.uniform(-1, 1, (8, 1, 3)) + np.cumsum(steps, axis=1)).reshape(-1, 3)
+    width, opacity = random.uniform(0.05, 0.5, 56), random.uniform(0.0, 1.0, 56)
+    width[3], opacity[3] = width[2], opacity[2]
+    hair = po.Strands(xyz, np.arange(0, 57, 7), width, opacity)
+    corners = random.uniform(-1.5, 1.5, (12, 3, 3)).astype(np.float32).reshape(-1, 3)
+    veils = po.Mesh(corners, np.arange(36).reshape(12, 3), opacity=random.uniform(0, 1, 36))
+    stone = po.Mesh(0.4 * corners[:9], np.arange(9).reshape(3, 3))
+    dust = po.Particles(
+        random.uniform(-1.2, 1.2, (10, 3)), random.uniform(0.1, 0.6, 10), random.uniform(0, 1, 10)
+    )
+    density = random.uniform(0.0, 2.0, (5, 3, 4)).astype(np.float32)
+    density[random.uniform(size=density.shape) < 0.5] = 0.0
+    smoke = po.Volume(density, (-0.6, -0.4, -0.8), (0.4, 0.5, 0.3))
+    shapes = [hair, veils, stone, dust, smoke, *_leaves(random)]
+    for shape in shapes:
+        matrix = np.eye(4)
+        matrix[:3, :3] = np.linalg.qr(random.normal(size=(3, 3)))[0] * random.uniform(0.5, 2.0)
+        matrix[:3, 3] = random.uniform(-0.5, 0.5, 3)
+        shape.transform = matrix
+    return shapes
+
+
+def _leaves(random: np.random.Generator) -> list[po.Mesh]:
+    """With an alpha map of each mode, which repeats over them."""
+    return [
+        po.Mesh(
+            random.uniform(-1.2, 1.2, (12, 3)),
+            np.arange(12).reshape(4, 3),
+            opacity=random.uniform(0.5, 1, 12),
+            uvs=random.uniform(-1.5, 2.5, (12, 2)),
+            alpha_map=random.uniform(0, 1, (3, 5)).astype(np.float32),
+            alpha_mode=mode,
+        )
+        for mode in ("mask", "blend")
+    ]
