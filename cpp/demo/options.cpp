@@ -14,7 +14,7 @@ const char* const usage =
     R"(opacity_demo [FILE...]              a window: orbit, move the light, switch technique and layers
 opacity_demo [FILE...] --headless -o out.png
 
-  FILE                 .hair, .obj, or demo:hair (the default)
+  FILE                 .hair, .obj, ..., or demo:NAME (default: demo:hair)
   -o, --output PICTURE save a .png: of the only frame, or of the last one in the window
   --technique NAME     the shadow method
   --param K=V          a parameter of the technique; again for more

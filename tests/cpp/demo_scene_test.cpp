@@ -39,13 +39,13 @@ const Scene scenes[] = {
     {"fur", "segments", 15072285627629442749u},
     {"grass", "segments", 16454464393197130104u},
     {"dense_grass", "segments", 8661533577214026717u},
-    {"tree", "leaves", 15387331877451687020u},
+    {"tree", "leaves", 1390405183173028520u},
     {"sparse_tree", "leaves", 18042437341010046146u},
     {"smoke", "voxels", 11318295509043531793u},
     {"clouds", "voxels", 6294674907010384628u},
     {"plume", "particles", 11429347468370718908u},
     {"teapot", "segments", 18349702768290536308u},
-    {"mixed", "primitives", 9898370267618474848u},
+    {"mixed", "primitives", 17797218909402792216u},
 };
 
 std::string request(const Scene& scene, std::size_t how_many) {

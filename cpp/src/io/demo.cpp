@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -79,10 +80,14 @@ void assign(demo::Request& request, const Demo& demo, std::string_view option,
 
 }  // namespace
 
+double demo::Request::size(double least, double most) const {
+    return std::clamp(std::sqrt(double(usual) / double(count)), least, most);
+}
+
 std::vector<ShapePtr> demo::load(std::string_view request) {
     const std::size_t question = request.find('?');
     const Demo& demo = demos()[place(demo_names(), request.substr(0, question), "demo")];
-    Request asked{demo.usual, 1};
+    Request asked{demo.usual, demo.usual, 1};
     if (!demo.styles.empty()) asked.style = demo.styles.front();
     std::string_view left = question == request.npos ? "" : request.substr(question + 1);
     while (!left.empty()) {

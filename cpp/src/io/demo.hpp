@@ -13,9 +13,12 @@ namespace opacity::demo {
 
 // What somebody asks for, in range.
 struct Request {
-    std::size_t count;  // how many of the scene's primitives: segments, leaves, voxels, ...
+    std::size_t count, usual;  // of the scene's primitives: segments, leaves, voxels, ...
     unsigned seed;
     std::string_view style = {};  // of a scene that has styles
+
+    // A factor for the size of each, so that any number covers about as much as the usual one.
+    double size(double least, double most) const;
 };
 
 // hair?segments=1000000&seed=7; ParameterError for a name or a value that is none.

@@ -81,12 +81,12 @@ std::array<glm::dvec3, hair_segments + 1> grown(const Root& root, const Lie& lie
 
 }  // namespace
 
-std::shared_ptr<Strands> coat(const Mesh& body, std::size_t segments, unsigned seed,
-                              const LieAt& lie_at) {
+std::shared_ptr<Strands> coat(const Mesh& body, const Request& request, const LieAt& lie_at) {
     const Skin skin{body};
-    const Noise tufts{seed, 11};
-    Random random{seed, 12};
-    StrandArrays arrays{segments, hair_segments};
+    const Noise tufts{request.seed, 11};
+    Random random{request.seed, 12};
+    const double size = request.size(0.2, 3.0);
+    StrandArrays arrays{request.count, hair_segments};
     while (!arrays.full()) {
         const Root root = skin.root(random);
         const Lie lie = lie_at(root.point, root.normal);
@@ -96,15 +96,11 @@ std::shared_ptr<Strands> coat(const Mesh& body, std::size_t segments, unsigned s
         arrays.add([&](std::size_t i) {
             const double t = double(i) / double(hair_segments);
             const glm::dvec3 color = lie.root_color + t * (lie.tip_color - lie.root_color);
-            return StrandArrays::Point{hair[i], lie.width * (1.0 - 0.8 * t * t),
+            return StrandArrays::Point{hair[i], size * lie.width * (1.0 - 0.8 * t * t),
                                        brightness * color};
         });
     }
     return std::move(arrays).strands(hair_opacity);
-}
-
-double size_for(std::size_t count, std::size_t usual, double least, double most) {
-    return std::clamp(glm::sqrt(double(usual) / double(count)), least, most);
 }
 
 }  // namespace opacity::demo

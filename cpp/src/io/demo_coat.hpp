@@ -1,11 +1,11 @@
 // A coat of fur on any opaque body.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 
+#include "io/demo.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/strands.hpp"
 
@@ -14,7 +14,7 @@ namespace opacity::demo {
 // How fur lies at one place, in the body's units.
 struct Lie {
     double length = 1.0;              // 0: bare
-    double width = 0.02;              // at the root
+    double width = 0.04;              // at the root, of the usual number of strands
     double lift = 0.6;                // of its start: 0 lies on the skin, 1 stands up
     glm::dvec3 comb{0.0, 0.0, -1.0};  // whither; only what lies along the surface counts
     glm::dvec3 root_color{0.1}, tip_color{0.4};
@@ -22,10 +22,6 @@ struct Lie {
 using LieAt = std::function<Lie(const glm::dvec3& point, const glm::dvec3& normal)>;
 
 // Strands that start all over the body, as many on each part of its area; none where it is bare.
-std::shared_ptr<Strands> coat(const Mesh& body, std::size_t segments, unsigned seed,
-                              const LieAt& lie);
-
-// A factor for sizes, so that any number of primitives covers about as much as the usual number.
-double size_for(std::size_t count, std::size_t usual, double least, double most);
+std::shared_ptr<Strands> coat(const Mesh& body, const Request& request, const LieAt& lie);
 
 }  // namespace opacity::demo

@@ -209,7 +209,7 @@ std::vector<ShapePtr> demo_hair(std::size_t segments, unsigned seed) {
         throw ParameterError("segments = " + std::to_string(segments) + " is outside 1.." +
                                  std::to_string(most_segments),
                              "choose a number in this range; 150000 is a full head of hair");
-    return demo::hair({segments, seed, "wavy"});
+    return demo::hair({segments, segments, seed, "wavy"});
 }
 
 }  // namespace opacity

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "io/demo_coat.hpp"
-
 namespace opacity::demo {
 namespace {
 
@@ -99,15 +97,14 @@ struct LeafArrays {
 };
 
 // Outward from its shoot, its face more or less to the sky.
-void add_leaf(LeafArrays& arrays, const Shoot& shoot, const Foliage& foliage, double size,
-              Random& random) {
+void add_leaf(LeafArrays& arrays, const Shoot& shoot, const Foliage& foliage, Random& random) {
     const double t = 0.15 + 0.85 * glm::sqrt(random.uniform());
     const glm::dvec3 stem = shoot.tangent(t), away = across(stem, random.unit_vector());
     const glm::dvec3 stray = random.unit_vector();
     const glm::dvec3 along =
         glm::normalize(0.55 * stem + away + 0.3 * stray - glm::dvec3{0.0, 0.0, 0.3});
     const glm::dvec3 face = across(along, glm::dvec3{0.0, 0.0, 1.0} + 0.8 * random.unit_vector());
-    const double length = size * (1.0 + 0.3 * random.around_zero());
+    const double length = foliage.leaf_length * (1.0 + 0.3 * random.around_zero());
     const double tone = random.uniform() * double(foliage.colors.size() - 1);
     const auto i = std::size_t(tone);
     const glm::dvec3 color =
@@ -123,10 +120,8 @@ std::shared_ptr<Mesh> leaves(const std::vector<Shoot>& shoots, const Foliage& fo
                              std::size_t count, unsigned seed) {
     const Twigs twigs{shoots};
     Random random{seed, 32};
-    const double size = foliage.leaf_length * size_for(count, foliage.usual, 0.05, 4.0);
     LeafArrays arrays;
-    for (std::size_t i = 0; i < count; ++i)
-        add_leaf(arrays, twigs.draw(random), foliage, size, random);
+    for (std::size_t i = 0; i < count; ++i) add_leaf(arrays, twigs.draw(random), foliage, random);
     auto result = mesh(std::move(arrays.quads), std::move(arrays.colors));
     result->set_uvs(std::move(arrays.uvs));
     result->set_alpha(outline(), AlphaMode::mask, 0.5f);

@@ -11,13 +11,11 @@
 namespace opacity::demo {
 
 struct Foliage {
-    double leaf_length;  // of a usual leaf, in metres
-    std::size_t usual;   // number of leaves, at which they are of that length
+    double leaf_length;  // in metres
     std::vector<glm::dvec3> colors;
 };
 
-// Along the shoots' outer parts, most on twigs. More leaves are smaller ones, so that the crown
-// lets about as much light through at any number.
+// Along the shoots' outer parts, most on twigs, each of a colour between two that are neighbours.
 std::shared_ptr<Mesh> leaves(const std::vector<Shoot>& shoots, const Foliage& foliage,
                              std::size_t count, unsigned seed);
 

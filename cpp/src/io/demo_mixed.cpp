@@ -5,7 +5,6 @@
 
 #include "io/demo.hpp"
 #include "io/demo_branches.hpp"
-#include "io/demo_coat.hpp"
 #include "io/demo_leaves.hpp"
 #include "io/demo_meadow.hpp"
 #include "io/demo_noise.hpp"
@@ -30,19 +29,21 @@ std::shared_ptr<Mesh> boulders(unsigned seed) {
     return mesh(std::move(triangles), {{0.42f, 0.4f, 0.38f}});
 }
 
-// Of one size at any number of segments, unlike a meadow.
-std::shared_ptr<Strands> tuft(std::size_t segments, unsigned seed) {
-    constexpr std::size_t usual = 88'000;
-    Meadow meadow{.blades_per_square_meter = 16'000.0, .height = 26.0, .droop = 0.6, .straw = 0.05};
-    meadow.blades_per_square_meter *= double(segments) / double(usual);
-    meadow.width *= size_for(segments, usual, 0.1, 3.0);
-    return grass(meadow, segments, seed);
+// Of one size at any number of blades, unlike a meadow.
+std::shared_ptr<Strands> tuft(std::size_t segments, const Request& request) {
+    const double share = double(request.count) / double(request.usual);
+    return grass({.blades_per_square_meter = 16'000.0 * share,
+                  .height = 26.0,
+                  .droop = 0.6,
+                  .straw = 0.05,
+                  .width = 0.42 * request.size(0.1, 3.0)},
+                 segments, request.seed);
 }
 
-std::shared_ptr<Particles> dust(std::size_t count, unsigned seed) {
-    const Noise noise{seed, 72};
-    Random random{seed, 73};
-    const double radius = 0.02 * size_for(count, 10'000, 0.03, 3.0);
+std::shared_ptr<Particles> dust(std::size_t count, const Request& request) {
+    const Noise noise{request.seed, 72};
+    Random random{request.seed, 73};
+    const double radius = 0.02 * request.size(0.03, 3.0);
     ParticleArrays arrays{count};
     for (std::size_t i = 0; i < count; ++i) {
         const double from_middle = glm::sqrt(random.uniform());
@@ -60,7 +61,7 @@ std::shared_ptr<Particles> dust(std::size_t count, unsigned seed) {
 std::vector<ShapePtr> mixed(const Request& request) {
     const std::size_t leaf_count = request.count / 50, particle_count = request.count / 10;
     const unsigned seed = request.seed;
-    std::vector<ShapePtr> shapes{tuft(request.count - leaf_count - particle_count, seed)};
+    std::vector<ShapePtr> shapes{tuft(request.count - leaf_count - particle_count, request)};
     place_at(*shapes.back(), 0.01, {0.2, 0.15});
 
     Random random{seed, 74};
@@ -74,14 +75,14 @@ std::vector<ShapePtr> mixed(const Request& request) {
                                            random);
     Triangles wood;
     for (const Shoot& shoot : shoots) add_shoot(wood, shoot);
-    const Foliage foliage{0.06, 2'000, {{0.08, 0.2, 0.04}, {0.2, 0.34, 0.07}}};
+    const Foliage foliage{0.06 * request.size(0.05, 2.5), {{0.08, 0.2, 0.04}, {0.2, 0.34, 0.07}}};
     std::vector<ShapePtr> bush{mesh(std::move(wood), {{0.2f, 0.15f, 0.11f}})};
     if (leaf_count > 0) bush.push_back(leaves(shoots, foliage, leaf_count, seed));
     for (const ShapePtr& part : bush) {
         place_at(*part, 1.0, {-0.6, -0.35});
         shapes.push_back(part);
     }
-    if (particle_count > 0) shapes.push_back(dust(particle_count, seed));
+    if (particle_count > 0) shapes.push_back(dust(particle_count, request));
     shapes.push_back(boulders(seed));
     shapes.push_back(ground(6.0, {0.3f, 0.26f, 0.2f}));
     return shapes;

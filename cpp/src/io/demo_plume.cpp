@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "io/demo.hpp"
-#include "io/demo_coat.hpp"
 #include "io/demo_noise.hpp"
 #include "io/demo_particles.hpp"
 #include "io/demo_triangles.hpp"
@@ -41,11 +40,10 @@ std::vector<Puff> puffs(unsigned seed) {
 }
 
 std::shared_ptr<Particles> rising(const Request& request) {
-    constexpr std::size_t usual = 16'000;
     const std::vector<Puff> all = puffs(request.seed);
     const Noise noise{request.seed, 62};
     Random random{request.seed, 63};
-    const double size = size_for(request.count, usual, 0.03, 3.0);
+    const double size = request.size(0.03, 3.0);
     ParticleArrays arrays{request.count};
     for (std::size_t i = 0; i < request.count; ++i) {
         const Puff& puff = all[std::size_t(random.uniform() * double(puff_count))];

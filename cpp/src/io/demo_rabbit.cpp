@@ -118,6 +118,7 @@ Lie rabbit_fur(const glm::dvec3& point, const glm::dvec3& normal) {
     const glm::dvec3 p = turned_back(point), n = turned_back(normal);
     Lie lie = blended(p);
     lie.comb = turned(lie.comb);
+    lie.width = 0.045;
     lie.lift = 0.55;
     const double from_eye = glm::length(glm::dvec3{p.x, std::abs(p.y), p.z} - eye);
     lie.length *= glm::smoothstep(eye_radius, eye_radius + 1.6, from_eye);

@@ -11,7 +11,6 @@ namespace opacity::demo {
 
 std::shared_ptr<Mesh> rabbit();
 std::shared_ptr<Mesh> rabbit_eyes();
-// Without the width.
 Lie rabbit_fur(const glm::dvec3& point, const glm::dvec3& normal);
 
 }  // namespace opacity::demo

@@ -108,16 +108,8 @@ Lie fur_at(const glm::dvec3& p, const glm::dvec3& normal) {
 }  // namespace
 
 std::vector<ShapePtr> teapot(const Request& request) {
-    constexpr std::size_t usual = 300'000;
     const std::shared_ptr<Mesh> body = teapot();
-    const double width = 0.04 * size_for(request.count, usual, 0.2, 3.0);
-    auto strands = coat(*body, request.count, request.seed,
-                        [&](const glm::dvec3& point, const glm::dvec3& normal) {
-                            Lie lie = fur_at(point, normal);
-                            lie.width = width;
-                            return lie;
-                        });
-    return {std::move(strands), body, ground(60.0, {0.5f, 0.47f, 0.44f})};
+    return {coat(*body, request, fur_at), body, ground(60.0, {0.5f, 0.47f, 0.44f})};
 }
 
 }  // namespace opacity::demo

@@ -27,8 +27,10 @@ std::shared_ptr<Mesh> wood(const std::vector<Shoot>& shoots, unsigned seed) {
     return mesh(std::move(triangles), std::move(color));
 }
 
-std::vector<ShapePtr> tree_on_lawn(const TreeShape& shape, const Foliage& foliage,
+std::vector<ShapePtr> tree_on_lawn(const TreeShape& shape, Foliage foliage,
                                    const Request& request) {
+    // More leaves are smaller ones, so that the crown lets about as much light through.
+    foliage.leaf_length *= request.size(0.05, 2.5);
     Random random{request.seed, 31};
     const std::vector<Shoot> shoots = grow(shape, random);
     return {leaves(shoots, foliage, request.count, request.seed), wood(shoots, request.seed),
@@ -46,8 +48,7 @@ std::vector<ShapePtr> tree(const Request& request) {
                           .twigs_of_those = 6,
                           .upward = 0.45};
     return tree_on_lawn(
-        shape, {0.12, 30'000, {{0.06, 0.17, 0.025}, {0.12, 0.26, 0.04}, {0.24, 0.36, 0.07}}},
-        request);
+        shape, {0.12, {{0.06, 0.17, 0.025}, {0.12, 0.26, 0.04}, {0.24, 0.36, 0.07}}}, request);
 }
 
 std::vector<ShapePtr> sparse_tree(const Request& request) {
@@ -58,8 +59,7 @@ std::vector<ShapePtr> sparse_tree(const Request& request) {
                           .branches_of_a_branch = 5,
                           .twigs_of_those = 4,
                           .upward = 0.8};
-    return tree_on_lawn(shape,
-                        {0.11, 3'000, {{0.62, 0.36, 0.05}, {0.68, 0.2, 0.03}, {0.42, 0.07, 0.025}}},
+    return tree_on_lawn(shape, {0.11, {{0.62, 0.36, 0.05}, {0.68, 0.2, 0.03}, {0.42, 0.07, 0.025}}},
                         request);
 }
 

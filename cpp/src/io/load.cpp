@@ -32,7 +32,7 @@ std::vector<ShapePtr> load(const std::string& path_or_name, const Logger& log) {
         list += std::string{list.empty() ? "" : ", "} + format.suffix;
     }
     throw FileFormatError(path_or_name + " has a suffix that is not read: \"" + suffix + "\"",
-                          "convert it to one of " + list + ", or pass demo:hair");
+                          "convert it to one of " + list + ", or pass a demo such as demo:hair");
 }
 
 }  // namespace opacity
