@@ -74,6 +74,14 @@ def bear() -> list[po.Shape]:
 # name: shapes, up axis, direction of the light, direction of the view
 PICTURES = {
     "demo_hair": (lambda: po.load("demo:hair"), 2, (0.5, 0.3, -0.8), (0.3, 1.0, -0.25)),
+    "demo_curly": (
+        lambda: po.load("demo:hair?style=curly"),
+        2,
+        (0.5, 0.3, -0.8),
+        (0.3, 1.0, -0.25),
+    ),
+    "demo_fur": (lambda: po.load("demo:fur"), 2, (0.5, 0.3, -0.8), (0.3, 1.0, -0.25)),
+    "demo_teapot": (lambda: po.load("demo:teapot"), 2, (0.5, 0.3, -0.8), (0.3, 1.0, -0.4)),
     "straight_lit_side": (straight, 2, (0.5, 0.3, -0.8), (0.6, 0.8, -0.3)),
     "straight_far_side": (straight, 2, (0.5, 0.3, -0.8), (-1.0, -0.5, -0.3)),
     "straight_backlit": (straight, 2, (-0.3, -1.0, -0.25), (0.2, 1.0, -0.15)),
