@@ -352,9 +352,10 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
     const LightSpace space = some_space();
     Evaluator evaluator{
         context,
-        {"#include \"lib/receiver.glsl\"\n", 12, 3,
+        {"#include \"lib/receiver.glsl\"\n", 13, 3,
          "Receiver r = point_receiver(given3(0), 0.0); r.opacity = given(4);\n"
          "r.width_texels = given(3); r.direction = given3(5); r.ends = given2(8);\n"
+         "r.on_strand = given(12) > 0.5;\n"
          "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
          "result(0) = own.depth; result(1) = own.depth_end; result(2) = own.optical_depth;"}};
     set_space(evaluator, space);
@@ -374,6 +375,7 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
         const float reach = i % 7 ? 2.f : 9.f;
         row.insert(row.end(),
                    {std::floor(x + random(-reach, reach)), std::floor(y + random(-reach, reach))});
+        row.push_back(surface || i % 11 == 0 ? 0.f : 1.f);  // else in a particle
         given.push_back(row);
     }
     const Table found = evaluator(given);
@@ -382,8 +384,10 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
                                 .width_texels = row[3],
                                 .direction = {row[5], row[6], row[7]},
                                 .opacity = row[4],
-                                .ends = {row[8], row[9]}};
-        const OwnDeposit own = own_deposit(seen(receiver, space), int(row[10]), int(row[11]));
+                                .ends = {row[8], row[9]},
+                                .on_strand = row[12]};
+        const OwnDeposit own =
+            own_deposit(seen(receiver, space), int(row[10]), int(row[11]), space.depth_range);
         return Row{own.depth, own.depth_end, own.optical_depth};
     });
     const auto something = std::ranges::count_if(found, [](const Row& r) { return r[2] > 0.f; });

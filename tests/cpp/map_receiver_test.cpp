@@ -79,7 +79,7 @@ double own_error(const StrandsPtr& shape, double* depth_error) {
         for (int y = y0 - 4; y <= y0 + 4; ++y)
             for (int x = x0 - 4; x <= x0 + 4; ++x) {
                 const std::size_t texel = std::size_t(y) * size_px + x;
-                const OwnDeposit own = own_deposit(seen(receivers[i], space), x, y);
+                const OwnDeposit own = own_deposit(seen(receivers[i], space), x, y, space.depth_range);
                 worst = std::max(worst, std::abs(own.optical_depth - optical_depth[texel]));
                 if (own.optical_depth > 1e-3f)
                     *depth_error = std::max(
@@ -170,7 +170,7 @@ TEST_CASE("what has no direction across the light corrects nothing, and is no Na
         check_finite(list);
         for (const Receiver& r : list) {
             CHECK(r.opacity == 0.f);
-            CHECK(own_deposit(seen(r, plain_space()), 64, 64).optical_depth == 0.f);
+            CHECK(own_deposit(seen(r, plain_space()), 64, 64, plain_space().depth_range).optical_depth == 0.f);
         }
     }
     // Two points on one place: the others know.
@@ -235,7 +235,7 @@ TEST_CASE("only who casts into the opacity maps has something to take out") {
     Scene scene;
     scene.add(strand(xyz, 0.25f));
     const Query points = Query::at(Positions{std::vector<double>{0, 0, 0}}, scene);
-    CHECK(points.width == Approx(0.25));
+    CHECK(points.strand_width == Approx(0.25));
     CHECK(receivers_in(plain_space(), points, true)[0].opacity == 0.f);
     CHECK_THROWS_AS(Query::at(Positions{std::vector<double>{NAN, 0, 0}}, scene), ParameterError);
 }

@@ -24,7 +24,7 @@ struct Taps {
 // A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
 // of the receiver the margin of lib/surface.glsl takes care of; from two on the slope does.
 float depth_at(Receiver receiver, ivec2 texel, float depth) {
-    if (receiver.on_strand) return depth;  // it has no plane
+    if (!has_plane(receiver)) return depth;
     vec2 offset = vec2(texel) + 0.5 - receiver.p_ls.xy;
     vec2 near = clamp(offset, -1.0, 1.0) * clamp(2.0 - abs(offset), 0.0, 1.0);
     return depth + dot(limited_slope(receiver.direction.xy, receiver.texels_per_unit), offset - near);
@@ -39,8 +39,8 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     float optical_depth = 0.0;
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
         ivec2 place = receiver.corner + texel;
-        float opaque = receiver.on_strand ? texelFetch(t_opaque_surface, place, 0).x
-                                          : texelFetch(t_opaque_depth, place, 0).x;
+        float opaque = has_plane(receiver) ? texelFetch(t_opaque_depth, place, 0).x
+                                           : texelFetch(t_opaque_surface, place, 0).x;
         if (opaque < min(depth, 1.0)) return;
         optical_depth = max(0.0, texel_optical_depth(place, depth, own_deposit(receiver, texel)));
     }
@@ -85,6 +85,7 @@ Taps filtered_taps(Receiver receiver, float depth) {
 // Through one face of the map.
 float face_transmittance(Receiver receiver) {
     float bias = u_bias < 0.0 ? max(receiver.width, u_light_least_bias) : u_bias;
+    bias = max(bias, receiver.own_reach);
     float depth = receiver.p_ls.z - bias / u_light_depth_range;
     // Also false for a coordinate that is not finite: T = 1, never NaN. Not precise, a compiler may turn
     // the comparisons round, and NaN passes.

@@ -4,6 +4,7 @@
 #include "lib/light.glsl"
 #include "lib/opacity.glsl"
 #include "lib/ribbon.glsl"
+#include "lib/sphere.glsl"
 #include "lib/surface.glsl"
 
 // With LIGHT_FACES a receiver comes in light coordinates, its strand's direction as the whole segment
@@ -14,10 +15,11 @@ struct Receiver {
     float width;         // world units: a strand does not shadow its own neighbourhood; else 0
     // Its own caster; opacity 0 where it lies on none, or where nothing is to be corrected.
     float opacity;
-    float width_texels;  // of its strand; 0 on a surface
+    float width_texels;  // of its strand or particle; 0 elsewhere
     vec3 direction;      // of its strand, one texel long on the major axis; surface: xy = slope
     vec2 ends;           // how far its strand reaches both ways, in directions
     bool on_strand;      // no opaque surface that it lies on can shadow itself
+    float own_reach;     // world units toward the light: half of its own voxel
     ivec2 corner;           // the first texel of the face
     float texels_per_unit;  // 1 / the side of a texel there, in world units
 };
@@ -31,7 +33,14 @@ struct OwnDeposit {
 const OwnDeposit no_own_deposit = OwnDeposit(0.0, 0.0, 0.0);
 
 Receiver point_receiver(vec3 p_ls, float width) {
-    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, ivec2(0), u_light_texels_per_unit);
+    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, 0.0, ivec2(0), u_light_texels_per_unit);
+}
+
+bool is_at_particle(Receiver receiver) { return receiver.width_texels > 0.0 && !receiver.on_strand; }
+
+// Others have none that could shadow itself.
+bool has_plane(Receiver receiver) {
+    return !receiver.on_strand && receiver.width_texels == 0.0 && receiver.own_reach == 0.0;
 }
 
 // Of a surface that two vectors from the receiver span: what `direction` shall be.
@@ -57,6 +66,8 @@ Receiver seen_through(int face, Receiver receiver) {
         seen.ends = clamp(receiver.ends * texels, -endless_texels, endless_texels);
         float width = receiver.width_texels / (u_light_texels_per_unit * u_light_depth_range);
         seen.width_texels = ribbon_width_by(face, q, v, width);
+    } else if (receiver.width_texels > 0.0) {
+        seen.width_texels *= seen.texels_per_unit / u_light_texels_per_unit;
     } else if (dot(v, v) > 0.0) {
         vec3 a = cross(v, abs(v.x) < abs(v.y) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
         vec3 b = cross(v, a);
@@ -86,10 +97,23 @@ OwnDeposit own_surface_deposit(Receiver receiver, vec2 texel) {
     return OwnDeposit(max(depth, 0.0), max(depth, 0.0), optical_depth_of(receiver.opacity));
 }
 
+// The one in whose middle it is.
+OwnDeposit own_particle_deposit(Receiver receiver, vec2 texel) {
+    SphereCoverage coverage;
+    if (!sphere_coverage(receiver.p_ls.xy, 0.5 * receiver.width_texels, optical_depth_of(receiver.opacity), texel,
+                         coverage))
+        return no_own_deposit;
+    float half_length = coverage.half_length / (receiver.texels_per_unit * u_light_depth_range);
+    float begin = max(receiver.p_ls.z - half_length, 0.0);
+    float end = max(receiver.p_ls.z + half_length, begin);
+    return OwnDeposit(begin, end, optical_depth_of(coverage.opacity));
+}
+
 // `texel` by its index in the face.
 OwnDeposit own_deposit(Receiver receiver, ivec2 texel) {
     if (!(receiver.opacity > 0.0)) return no_own_deposit;
     vec2 middle = vec2(texel) + 0.5;
+    if (is_at_particle(receiver)) return own_particle_deposit(receiver, middle);
     return receiver.width_texels > 0.0 ? own_strand_deposit(receiver, middle)
                                        : own_surface_deposit(receiver, middle);
 }

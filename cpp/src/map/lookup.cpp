@@ -8,7 +8,7 @@ namespace {
 // A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
 // of the receiver the margin of map/surface.hpp takes care of; from two on the slope does.
 float depth_at(const SeenReceiver& receiver, int x, int y, float depth) {
-    if (receiver.on_strand > 0.f) return depth;  // it has no plane
+    if (!has_plane(receiver)) return depth;
     const Slope slope =
         limited_slope({receiver.direction[0], receiver.direction[1]}, receiver.largest_margin);
     const auto far = [&](int texel, int axis) {
@@ -42,9 +42,9 @@ void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, 
     if (x >= 0 && y >= 0 && x < size_px && y < size_px) {
         const std::size_t texel = std::size_t(receiver.corner_px[1] + y) * space_.width_px() +
                                   (receiver.corner_px[0] + x);
-        const auto& opaque = receiver.on_strand > 0.f ? opaque_depth_.surface : opaque_depth_.moved;
+        const auto& opaque = has_plane(receiver) ? opaque_depth_.moved : opaque_depth_.surface;
         if (opaque[texel] < std::min(depth, 1.f)) return;
-        const OwnDeposit own = own_deposit(receiver, x, y);
+        const OwnDeposit own = own_deposit(receiver, x, y, space_.depth_range);
         optical_depth = std::max(0.f, map_.optical_depth(texel, depth, own));
     }
     taps.lit += weight;
@@ -95,7 +95,8 @@ float MapLookUp::transmittance(const Receiver& receiver, float width) const {
 
 // Through one face of the map.
 float MapLookUp::face_transmittance(const SeenReceiver& receiver, float width) const {
-    const float bias = bias_ < 0.0 ? std::max(width, float(space_.least_bias)) : float(bias_);
+    const float told = bias_ < 0.0 ? std::max(width, float(space_.least_bias)) : float(bias_);
+    const float bias = std::max(told, receiver.own_reach);
     const float depth = receiver.p_ls[2] - bias / float(space_.depth_range);
     const float reach = largest_filter_radius + 1.f, far = float(space_.map_size_px) + reach;
     const auto is_near = [&](float v) { return v > -reach && v < far; };

@@ -2,6 +2,7 @@
 
 #include "core/opacity.hpp"
 #include "map/ribbon.hpp"
+#include "map/sphere.hpp"
 #include "map/surface.hpp"
 
 namespace opacity {
@@ -34,11 +35,25 @@ OwnDeposit own_surface_deposit(const SeenReceiver& receiver, float x, float y) {
     return {std::max(depth, 0.f), std::max(depth, 0.f), optical_depth_of(receiver.opacity)};
 }
 
+OwnDeposit own_particle_deposit(const SeenReceiver& receiver, const float2& texel,
+                                float depth_range) {
+    const auto coverage =
+        sphere_coverage({receiver.p_ls[0], receiver.p_ls[1]}, 0.5f * receiver.width_texels,
+                        optical_depth_of(receiver.opacity), texel);
+    if (!coverage) return {};
+    const float half_length = coverage->half_length / (receiver.texels_per_unit * depth_range);
+    const float begin = std::max(receiver.p_ls[2] - half_length, 0.f);
+    const float end = std::max(receiver.p_ls[2] + half_length, begin);
+    return {begin, end, optical_depth_of(coverage->opacity)};
+}
+
 }  // namespace
 
-OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y) {
+OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y, double depth_range) {
     if (!(receiver.opacity > 0.f)) return {};
     const float middle_x = float(x) + 0.5f, middle_y = float(y) + 0.5f;
+    if (is_at_particle(receiver))
+        return own_particle_deposit(receiver, {middle_x, middle_y}, float(depth_range));
     return receiver.width_texels > 0.f ? own_strand_deposit(receiver, middle_x, middle_y)
                                        : own_surface_deposit(receiver, middle_x, middle_y);
 }

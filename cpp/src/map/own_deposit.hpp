@@ -12,6 +12,6 @@ struct OwnDeposit {
 };
 
 // Of the texel (x, y) of the receiver's face.
-OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y);
+OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y, double depth_range);
 
 }  // namespace opacity

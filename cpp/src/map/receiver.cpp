@@ -6,7 +6,9 @@
 
 #include "map/surface.hpp"
 #include "opacity/scene/mesh.hpp"
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
+#include "opacity/scene/volume.hpp"
 #include "scene/bias.hpp"
 #include "scene/receivers.hpp"
 
@@ -91,6 +93,32 @@ void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, co
     }
 }
 
+void tell_particles(std::vector<Receiver>& list, const Particles& particles,
+                    const LightSpace& space) {
+    const double to_texels = 2.0 * particles.scale() * space.texels_per_unit;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i].width_texels = float(at_or_only(particles.radius(), i) * to_texels);
+        list[i].opacity = at_or_only(particles.opacity(), i);
+    }
+}
+
+// The way of the light at a place in light coordinates, in the world.
+double3 light_direction(const double3& p, const LightSpace& space) {
+    double3 way{0.0, 0.0, 1.0}, world{};
+    if (!space.is_parallel()) way = space.faces[0].turned_back(space.faces[0].seen(p));
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t i = 0; i < 3; ++i) world[i] += space.from_world[4 * row + i] * way[row];
+    const double length = std::hypot(world[0], world[1], world[2]);
+    if (!(length > 0.0)) return {0.0, 0.0, 1.0};  // the light's own place
+    return {world[0] / length, world[1] / length, world[2] / length};
+}
+
+void tell_voxels(std::vector<Receiver>& list, const std::vector<double3>& p_ls, const Query& query,
+                 const LightSpace& space) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+        list[i].own_reach = float(query.own_half_chord(light_direction(p_ls[i], space)));
+}
+
 float3 unit(const float3& v) {
     return scaled(v, 1.f / length(v));
 }
@@ -132,6 +160,8 @@ SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const L
     seen.p_ls = face.place(receiver.p_ls);
     if (receiver.on_strand > 0.f)
         see_strand(seen, face, receiver, space);
+    else if (receiver.width_texels > 0.f)
+        seen.width_texels *= seen.texels_per_unit / float(space.texels_per_unit);
     else if (receiver.direction != float3{})
         see_surface(seen, face, receiver);
     return seen;
@@ -139,17 +169,20 @@ SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const L
 
 Query Query::at(Positions world_points, const Scene& scene) {
     check_receivers(world_points);
-    return {std::move(world_points), mean_strand_width(scene.shapes()), nullptr};
+    Query query;
+    query.world_points = std::move(world_points);
+    query.strand_width = mean_strand_width(scene.shapes());
+    return query;
 }
 
 Query Query::at(const Shape& shape, const Scene& scene) {
-    Receivers on_shape = receivers_on(shape);
+    Query query{receivers_on(shape), &shape};
     const auto lock = shape.lock();
     const auto& shapes = scene.shapes();
-    const bool is_in_maps =
+    query.is_in_maps =
         shape.is_caster() && !shape.opaque() &&
         std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return s.get() == &shape; });
-    return {std::move(on_shape.world_points), on_shape.strand_width, &shape, is_in_maps};
+    return query;
 }
 
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
@@ -169,6 +202,9 @@ std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
     if (strands && corrects) tell_strands(list, p_ls, *strands, space);
     if (const auto* mesh = dynamic_cast<const Mesh*>(query.own))
         tell_mesh(list, p_ls, *mesh, space, corrects);
+    if (dynamic_cast<const Volume*>(query.own)) tell_voxels(list, p_ls, query, space);
+    if (const auto* particles = dynamic_cast<const Particles*>(query.own))
+        if (query.is_in_maps) tell_particles(list, *particles, space);
     return list;
 }
 

@@ -10,19 +10,28 @@
 #include "map/face.hpp"
 #include "opacity/scene/scene.hpp"
 #include "scene/light_fit.hpp"
+#include "scene/receivers.hpp"
 
 namespace opacity {
 
 struct Receiver {
     float3 p_ls{};
-    float width_texels = 0.f;  // of its strand; 0 on a surface
+    float width_texels = 0.f;  // of its strand or particle; 0 elsewhere
     float3 direction{};   // of its strand, one texel long on the major axis; surface: xy = slope
     float opacity = 0.f;  // of its own caster; 0 where it lies on none
     float ends[2] = {0.f, 0.f};  // how far its strand reaches both ways, in directions
     float on_strand = 0.f;       // or 1: no opaque surface that it lies on can shadow itself
-    float unused = 0.f;          // a multiple of four floats, as std430 has it
+    float own_reach = 0.f;       // world units toward the light: half of its own voxel
 };
-static_assert(sizeof(Receiver) == 12 * sizeof(float));
+static_assert(sizeof(Receiver) == 12 * sizeof(float));  // a multiple of four, as std430 has it
+
+inline bool is_at_particle(const Receiver& receiver) {
+    return receiver.width_texels > 0.f && !(receiver.on_strand > 0.f);
+}
+// Others have none that could shadow itself.
+inline bool has_plane(const Receiver& receiver) {
+    return receiver.on_strand == 0.f && receiver.width_texels == 0.f && receiver.own_reach == 0.f;
+}
 
 // What one face of the map sees of it.
 struct SeenReceiver : Receiver {
@@ -35,10 +44,8 @@ struct SeenReceiver : Receiver {
 SeenReceiver seen(const Receiver& receiver, const LightSpace& space);
 SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const LightSpace& space);
 
-// Where T is asked for.
-struct Query {
-    Positions world_points;
-    double width = 0.0;          // of the strands there, in world units, for the automatic bias
+// Where T is asked for; the width of strands there is for the automatic bias.
+struct Query : Receivers {
     const Shape* own = nullptr;  // the points are this shape's
     bool is_in_maps = false;     // which lies in the opacity maps
 
@@ -51,7 +58,8 @@ inline constexpr float endless_texels = 64.f;
 // The same before faces, where ends are told in segments; lighting.vert.glsl.
 inline constexpr float endless_segments = 1e6f;
 
-// `own_correction`: with what the receivers themselves leave in the map.
+// `own_correction`: with what strands and surfaces leave in the map themselves. A particle never
+// counts at its own centre.
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
                                    bool own_correction);
 
