@@ -50,6 +50,14 @@ class Evaluator {
             context_->gl().BindTextureUnit(*unit, map.name());
     }
 
+    // Any texture, for the sampler of that name.
+    void set_texture(const std::string& sampler, opacity::gl::Texture texture) {
+        const opacity::gl::Context::Use use{*context_};
+        maps_.push_back(std::move(texture));
+        if (const auto unit = program_.sampler(sampler))
+            context_->gl().BindTextureUnit(*unit, maps_.back().name());
+    }
+
     Table operator()(const Table& rows) {
         const opacity::gl::Context::Use use{*context_};
         std::vector<float> given;

@@ -22,14 +22,15 @@ float level_coverage(int level, vec2 uv) {
 // The level whose texels are as large as one of the light's map, between two levels in part; `dx`
 // and `dy` are how much uv changes from one texel of the map to the next along its x and y.
 float coverage_level(vec2 dx, vec2 dy) {
-    vec2 size = vec2(textureSize(t_alpha, 0));
-    precise vec2 x = dx * size, y = dy * size;
+    ivec2 size = textureSize(t_alpha, 0);
+    precise vec2 x = dx * vec2(size), y = dy * vec2(size);
     precise float largest = max(max(dot(x, x), dot(y, y)), 1.0);
-    precise float level = min(0.5 * log2(largest), float(textureQueryLevels(t_alpha) - 1));
+    precise float level = min(0.5 * log2(largest), float(findMSB(max(size.x, size.y))));
     return level;
 }
 
-// In 0 .. 1: linear between the texels of a level, and between two levels.
+// In 0 .. 1: linear between the texels of a level, and between two levels. llvmpipe takes one level
+// for the four invocations of a quad, which have the same derivatives.
 float coverage_at(vec2 uv, float level) {
     int fine = int(level);
     precise float coarser = level - float(fine);
