@@ -16,8 +16,9 @@ template <std::vector<ShapePtr> (*read)(const std::filesystem::path&)>
 std::vector<ShapePtr> alone(const std::filesystem::path& path, const Logger&) {
     return read(path);
 }
-constexpr Format formats[] = {
-    {".hair", alone<load_hair>}, {".obj", load_obj}, {".gltf", load_gltf}, {".glb", load_gltf}};
+constexpr Format formats[] = {{".hair", alone<load_hair>}, {".obj", load_obj},
+                              {".gltf", load_gltf},        {".glb", load_gltf},
+                              {".ply", alone<load_ply>},   {".nrrd", alone<load_nrrd>}};
 
 }  // namespace
 

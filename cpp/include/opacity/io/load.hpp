@@ -12,8 +12,8 @@
 
 namespace opacity {
 
-// A .hair or .obj file, or a generated scene: "demo:NAME", with options as in
-// "demo:hair?segments=1000000&style=curly&seed=7".
+// A .hair, .obj, .gltf, .glb, .ply or .nrrd file, or a generated scene: "demo:NAME", with options as
+// in "demo:hair?segments=1000000&style=curly&seed=7".
 // FileFormatError for a file that lies about its content; memory never far exceeds the file's size,
 // or that of the pictures it names. What a model lacks without harm, such as a picture, is a
 // warning.
@@ -30,6 +30,13 @@ std::vector<ShapePtr> load_obj(const std::filesystem::path& path, const Logger& 
 // particles. Of a material, base colour and alpha. An extension that the file requires and that is
 // not read is an error that names it; so are sparse accessors.
 std::vector<ShapePtr> load_gltf(const std::filesystem::path& path, const Logger& log = {});
+// A mesh where there are faces, with the normals, colours and opacities that its vertices have;
+// else particles, whose radius without one in the file is half the mean distance to the next point.
+// Colours that are whole numbers are sRGB, others linear.
+std::vector<ShapePtr> load_ply(const std::filesystem::path& path);
+// Three axes of scalars, raw or gzip, attached to their header: extinction as the file has it.
+// Axes that are turned, mirrored or slanted are the volume's transform.
+std::vector<ShapePtr> load_nrrd(const std::filesystem::path& path);
 
 // What "demo:" can be followed by.
 std::vector<std::string> demo_names();
