@@ -3,7 +3,6 @@
 import logging
 from collections.abc import Iterable
 
-_LOG = logging.getLogger("pyopacity")
 _LEVELS = {
     "debug": logging.DEBUG,
     "info": logging.INFO,
@@ -12,7 +11,7 @@ _LEVELS = {
 }
 
 
-def pass_on(messages: Iterable[tuple[str, str]]) -> None:
+def pass_on(messages: Iterable[tuple[str, str]], logger: str = "pyopacity") -> None:
     """Logs what the engine noted: (level, message) each."""
     for level, message in messages:
-        _LOG.log(_LEVELS[level], message)
+        logging.getLogger(logger).log(_LEVELS[level], message)

@@ -30,14 +30,13 @@ std::optional<std::vector<std::byte>> gunzipped(Bytes bytes, std::uint64_t size)
     constexpr std::uint64_t most_growth = 1032;  // what deflate can at most do
     const std::size_t begin = header_size(bytes);
     if (begin == 0 || bytes.size() < begin + trailer) return std::nullopt;
-    const Bytes deflated = bytes.subspan(begin, bytes.size() - begin - trailer);
-    const std::byte* end = deflated.data() + deflated.size();
-    if (size > most_growth * deflated.size()) return std::nullopt;
+    const Bytes content = bytes.subspan(begin), check = content.last(trailer);
+    if (size > most_growth * content.size()) return std::nullopt;
     std::vector<std::byte> result(static_cast<std::size_t>(size));
     const bool whole =
-        scalar_at<std::uint32_t>(end + 4, std::endian::little) == std::uint32_t(size) &&
-        inflate(deflated, result) &&
-        scalar_at<std::uint32_t>(end, std::endian::little) == crc32(result);
+        scalar_at<std::uint32_t>(&check[4], std::endian::little) == std::uint32_t(size) &&
+        inflate(content, result) &&
+        scalar_at<std::uint32_t>(&check[0], std::endian::little) == crc32(result);
     if (!whole) return std::nullopt;
     return result;
 }

@@ -24,7 +24,8 @@ struct Picture {
 // bytes cannot hold as many pixels as they announce.
 Picture decode_picture(Bytes bytes, const std::string& name);
 
-// Deflated bytes without a header (RFC 1951). False unless they are whole and fill `to` exactly.
+// Deflated bytes without a header (RFC 1951), with the checksum of four bytes or more that stands
+// behind them in every format: stb reads ahead. False unless they are whole and fill `to` exactly.
 bool inflate(Bytes deflated, std::span<std::byte> to);
 
 }  // namespace opacity

@@ -1,11 +1,13 @@
 """Subcommands, and what becomes of an error."""
 
 import argparse
+import contextlib
 import importlib.util
+import logging
 import os
 import pathlib
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NoReturn
 
 import pyopacity as po
@@ -37,7 +39,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Runs a command line, by default this process's, and returns its exit code."""
     try:
         parsed = _parser().parse_args(_joined(sys.argv[1:] if arguments is None else arguments))
-        return int(parsed.run(parsed))
+        with _warnings_of_files():
+            return int(parsed.run(parsed))
     except KeyboardInterrupt:
         clear_progress()
         return INTERRUPTED
@@ -48,6 +51,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
         clear_progress()
         print(f"pyopacity: {_one_line(_typed(error))}", file=sys.stderr)
         return _exit_code(error)
+
+
+@contextlib.contextmanager
+def _warnings_of_files() -> Iterator[None]:
+    """Tells on standard error what a model lacks, such as a picture."""
+    logger, handler = logging.getLogger("pyopacity.io"), logging.StreamHandler()
+    handler.setFormatter(logging.Formatter("pyopacity: %(message)s"))
+    logger.addHandler(handler)
+    try:
+        yield
+    finally:
+        logger.removeHandler(handler)
 
 
 def cmake_dir() -> pathlib.Path:

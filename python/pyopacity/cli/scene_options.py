@@ -22,7 +22,7 @@ _VIEW_DIRECTION: Vector = (0.3, 1.0, -0.25)
 
 def add_files(add: Any) -> None:
     """The files, which go into one scene."""
-    add("files", nargs="+", metavar="FILE", help=".hair, .obj, demo:hair; all go into one scene")
+    add("files", nargs="+", metavar="FILE", help=f"{text.FILES}; all go into one scene")
 
 
 def add_light_and_view(add: Any) -> None:

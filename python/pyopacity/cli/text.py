@@ -8,6 +8,8 @@ from typing import Any
 
 from pyopacity import ParameterError
 
+FILES = ".hair, .obj, .gltf, .glb, .ply, .nrrd, demo:NAME"  # what po.load takes
+
 Vector = tuple[float, float, float]
 
 _AXES: dict[str, Vector] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}

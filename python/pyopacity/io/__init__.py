@@ -33,7 +33,7 @@ def load(path: str | os.PathLike[str]) -> list[Shape]:
 
     Pictures are PNG or JPEG. Only files in the model's own folder are opened. Where a model lacks
     something without which it still has a shape, such as a picture, that surface is grey and the
-    logger "pyopacity" has a warning.
+    logger "pyopacity.io" has a warning.
 
     Raises:
         FileFormatError: a file that is missing, truncated, not what its name says, or of a format
@@ -44,5 +44,5 @@ def load(path: str | os.PathLike[str]) -> list[Shape]:
     if b"\0" in name:
         raise ParameterError(f"the path {path!r} holds a zero byte", "pass the path of a file")
     shapes, messages = _native.load(name)
-    _log.pass_on(messages)
+    _log.pass_on(messages, "pyopacity.io")
     return [wrap(native) for native in shapes]
