@@ -1,7 +1,8 @@
 """The picture that shadows without error would give: rasterised as ever, T from rays.
 
-Shading is linear in T, so a sample of a picture is *dark + T (lit - dark)*: *dark* without a light,
-*lit* without shadows. Both come from the renderer, and so does the point at which T is looked up
+Shading is linear in the T of each light, so a sample of a picture is *dark*, the one without a
+light, plus *T (lit - dark)* for each light, with *lit* the one under it alone and without shadows.
+All of them come from the renderer, and so does the point at which T is looked up
 (:meth:`pyopacity.Renderer.receivers`); only T is traced. What is left between the two pictures is
 the error of T, as a person sees it.
 """
@@ -36,13 +37,14 @@ class PictureParts:
     """A picture apart from its shadows, at ``samples`` x ``samples`` a pixel.
 
     Attributes:
-        dark, lit: (n H, n W, 4) float32, linear, premultiplied: without a light; without shadows.
+        dark: (n H, n W, 4) float32, linear, premultiplied: without a light.
+        lit: the same for each light alone, without shadows.
         receivers: where each sample looks T up.
         samples: n.
     """
 
     dark: _F32
-    lit: _F32
+    lit: list[_F32]
     receivers: PictureReceivers
     samples: int
 
@@ -56,14 +58,16 @@ class PictureParts:
         """(M,) float32, world units: the automatic bias at each of ``points``."""
         return self.receivers.bias[self.receivers.mask]
 
-    def shaded(self, transmittance: Floats) -> _F32:
-        """The picture with this T, (M,) in [0, 1], at ``points``: (H, W, 4) float32.
+    def shaded(self, *transmittance: Floats) -> _F32:
+        """The picture with this T of each light, (M,) in [0, 1], at ``points``: (H, W, 4) float32.
 
         Samples are averaged in linear light, in float64.
         """
-        T = np.ones(self.receivers.mask.shape)
-        T[self.receivers.mask] = transmittance
-        picture = self.dark + T[..., None] * (self.lit.astype(np.float64) - self.dark)
+        picture = self.dark.astype(np.float64)
+        for lit, seen in zip(self.lit, transmittance, strict=True):
+            T = np.ones(self.receivers.mask.shape)
+            T[self.receivers.mask] = seen
+            picture += T[..., None] * (lit.astype(np.float64) - self.dark)
         n = self.samples
         height, width, channels = picture.shape
         blocks = picture.reshape(height // n, n, width // n, n, channels)
@@ -84,11 +88,15 @@ def picture_parts(
         raise _arrays.wrong("size", size, "(width, height) in pixels")
     large = (_arrays.whole("size[0]", size[0]) * n, _arrays.whole("size[1]", size[1]) * n)
     settings |= {"size": large, "antialiasing": 1, "technique": UNSHADOWED}
-    with Renderer(scene, camera, **settings) as renderer:
-        lit = renderer.render()
-        receivers = renderer.receivers()
-    with Renderer(Scene(scene.shapes), camera, **settings) as renderer:
+    alone = Scene(scene.shapes)
+    with Renderer(alone, camera, **settings) as renderer:
         dark = renderer.render()
+        receivers = renderer.receivers()
+        lit = []
+        for light in scene.lights:
+            alone.add(light)
+            lit.append(renderer.render())
+            alone.remove(light)
     return PictureParts(dark, lit, receivers, n)
 
 
@@ -100,7 +108,11 @@ def traced(
 ) -> _F32:
     """The picture of ``parts`` with a ray from each sample; ``bias`` None is the automatic one."""
     biases = parts.bias if bias is None else bias
-    return parts.shaded(trace_transmittance(scene, parts.points, 0, bias=biases, progress=progress))
+    T = [
+        trace_transmittance(scene, parts.points, light, bias=biases, progress=progress)
+        for light in range(len(scene.lights))
+    ]
+    return parts.shaded(*T)
 
 
 def traced_picture(
@@ -116,7 +128,7 @@ def traced_picture(
     """The picture with ray-traced shadows: what every technique's picture is measured against.
 
     Args:
-        scene: as for :class:`pyopacity.Renderer`, with one light at most.
+        scene: as for :class:`pyopacity.Renderer`.
         camera: the default sees all of the scene.
         size: width and height in pixels.
         samples: n of n x n samples a pixel, 1 .. 8, each with a ray of its own. The renderer draws

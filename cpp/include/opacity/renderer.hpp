@@ -90,6 +90,8 @@ class Renderer {
     // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along
     // the light.
     double4x4 light_from_world(int light = 0) const;
+    // Side of a texel of the light's map at world points, in world units.
+    std::vector<double> texel_sides(const Positions& world_points, int light = 0) const;
 
     const Report& report() const;
     // The passes of the last frame and what they read and write, as a Graphviz digraph.

@@ -108,6 +108,10 @@ void bind_renderer(py::module_& module) {
              [](const Renderer& self, int light) {
                  return from_matrix(self.light_from_world(light));
              })
+        .def("texel_sides",
+             [](const Renderer& self, const py::array& xyz, int light) {
+                 return take(self.texel_sides(to_positions(xyz), light));
+             })
         .def("report", &report)
         .def("graph_dot", [](const Renderer& self) { return text(self.graph_dot()); })
         .def("read", &read)

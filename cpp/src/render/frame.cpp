@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/texel_side.hpp"
+
 namespace opacity::render {
 
 void Frame::fit_lights(const FrameInputs& inputs, const Box& query, std::size_t asked) {
@@ -52,6 +54,13 @@ std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Query& 
 
 double4x4 Frame::light_from_world(std::size_t light) const {
     return light < lights_.size() ? lights_[light]->space().from_world : identity;
+}
+
+std::vector<double> Frame::texel_sides(const Positions& world_points, std::size_t light) const {
+    std::vector<double> sides;
+    for (std::size_t i = 0; light < lights_.size() && i < world_points.size(); ++i)
+        sides.push_back(texel_side(lights_[light]->space(), world_points[i]));
+    return sides;
 }
 
 }  // namespace opacity::render

@@ -33,6 +33,8 @@ class Frame {
     FrameGraph& graph() { return graph_; }
     // As the last frame fitted it; identity for a light that it did not have.
     double4x4 light_from_world(std::size_t light) const;
+    // World units, at each point; none for a light that the last frame did not have.
+    std::vector<double> texel_sides(const Positions& world_points, std::size_t light) const;
 
    private:
     // What the goals of a frame are written to, besides each light's transmittance.

@@ -191,6 +191,10 @@ double4x4 Renderer::light_from_world(int light) const {
     impl_->check_light(light);
     return impl_->frame->light_from_world(std::size_t(light));
 }
+std::vector<double> Renderer::texel_sides(const Positions& world_points, int light) const {
+    impl_->check_light(light);
+    return impl_->frame->texel_sides(world_points, std::size_t(light));
+}
 const Report& Renderer::report() const {
     return impl_->frame->graph().report();
 }

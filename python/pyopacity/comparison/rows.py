@@ -21,7 +21,6 @@ from pyopacity.comparison.truth import (
     Receivers,
     Truth,
     sample_receivers,
-    texel_side,
 )
 from pyopacity.errors import ContextError, ParameterError
 from pyopacity.metrics import Errors
@@ -38,8 +37,9 @@ class Result:
         variant: the technique and its parameters.
         map_size: texels along each side.
         map_size_reason: why map_size="auto" took so many; None where the plan says how many.
-        footprint: side in world units of the square over which T by rays is averaged.
-        receivers: how many.
+        footprint: side in world units of the square over which T by rays is averaged; the median,
+            where texels are larger far from a light.
+        receivers: how many, counted again for each light.
         depth: of T at the receivers, against the exact lists of the same map.
         total: of T at the receivers, against rays.
         image: of linear RGB over black, against the picture with T by rays; None, as all that is
@@ -85,7 +85,7 @@ def compare(
     """Measures what the plan says, one result after the other, maps of one size together.
 
     Args:
-        scene: with one light.
+        scene: with one light, or several, of which T is compared one by one.
         camera: of the pictures.
         plan: what to measure.
         progress: told in words what is being done.
@@ -94,10 +94,8 @@ def compare(
         ContextError: no OpenGL, where the plan's device is not "cpu".
         ParameterError: a scene without a light or without receivers; a plan that does not hold.
     """
-    if len(scene.lights) != 1:
-        raise ParameterError(
-            f"the scene has {len(scene.lights)} lights", "compare a scene with one"
-        )
+    if not scene.lights:
+        raise ParameterError("the scene has 0 lights", "add one")
     variants = plan.variants()
     receivers = sample_receivers(scene, plan.receivers, plan.seed)
     settings = {**plan.settings, "size": plan.image_size, "antialiasing": plan.image_samples}
@@ -127,9 +125,10 @@ class _Bench:
         exact = self.depth_reference.of(renderer, variant)
         renderer.technique = variant.make()
         measured = self.receivers.transmittance(renderer)
-        side = FOOTPRINT_TEXELS * texel_side(renderer)
+        sides = FOOTPRINT_TEXELS * self.receivers.texel_sides(renderer)
         map_size, reason = _map_size_of(renderer)
-        footprint = side if self.plan.footprint is None else self.plan.footprint
+        if self.plan.footprint is not None:
+            sides = np.full_like(sides, self.plan.footprint)
         bias = _bias_of(renderer)
         picture = traced = image = flip = None
         if self.plan.device != "cpu":
@@ -141,10 +140,10 @@ class _Bench:
             variant=variant,
             map_size=map_size,
             map_size_reason=reason,
-            footprint=footprint,
+            footprint=float(np.median(sides)),
             receivers=len(measured),
             depth=metrics.errors(measured, exact),
-            total=metrics.errors(measured, truth.transmittance(footprint, bias)),
+            total=metrics.errors(measured, truth.transmittance(sides, bias)),
             image=image,
             flip=flip,
             seconds=seconds,
@@ -171,9 +170,10 @@ class _Bench:
         self.renderer.invalidate()
         maps = 0.0
         start = time.perf_counter()
-        for shape, _ in self.receivers.chosen:
-            self.renderer.transmittance(shape)
-            maps += _map_seconds(self.renderer)
+        for light in range(self.receivers.lights):
+            for shape, _ in self.receivers.chosen:
+                self.renderer.transmittance(shape, light)
+                maps += _map_seconds(self.renderer)
         return time.perf_counter() - start, maps
 
 

@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
+from pyopacity.light import DirectionalLight, Light, PositionalLight
 from pyopacity.scene import Scene
 from pyopacity.trace import trace_transmittance
 
@@ -29,48 +30,62 @@ def trace_on_surfaces(
     points: F64,
     normals: F64,
     bias: F64,
-    footprint: float,
+    footprint: float | F64,
     samples: int,
     progress: Callable[[float], object],
+    light: int = 0,
 ) -> F32:
     """The mean of T, (N,) float32, over what a square across the light cuts out of each tangent.
 
     Args:
-        scene: with one light.
+        scene: with lights.
         points, normals: (N, 3), world space; normals of any length but 0.
         bias: (N,), world units; at least a fifth of the footprint is taken.
-        footprint: side of the square, above 0.
+        footprint: side of the square, above 0; one for all, or (N,).
         samples: rays for each point.
         progress: called with the part that is done.
+        light: index into the scene's lights.
     """
     means = np.empty(len(points), np.float32)
+    sides = np.broadcast_to(np.asarray(footprint, np.float64), len(points))
+    along = _directions(scene.lights[light], points)
     step = max(1, _MOST_RAYS_AT_ONCE // samples)
     for first in range(0, len(points), step):
         part = slice(first, first + step)
-        starts = _starts(scene, points[part], normals[part], footprint, samples, first)
-        biases = np.repeat(np.maximum(bias[part], _LEAST_BIAS * footprint), samples)
-        T = trace_transmittance(scene, starts, 0, 0.0, 1, bias=biases)
+        square = (_square(len(points[part]), samples, first) - 0.5) * sides[part, None, None]
+        starts = _starts(points[part], normals[part], along[part], square, sides[part])
+        biases = np.repeat(np.maximum(bias[part], _LEAST_BIAS * sides[part]), samples)
+        T = trace_transmittance(scene, starts, light, 0.0, 1, bias=biases)
         means[part] = T.reshape(-1, samples).mean(axis=1, dtype=np.float64)
         progress(min(1.0, (first + step) / len(points)))
     return means
 
 
-def _starts(
-    scene: Scene, points: F64, normals: F64, footprint: float, samples: int, first: int
-) -> F64:
+def _directions(light: Light, points: F64) -> F64:
+    """(N, 3), of length 1: in which light arrives at points, from an area's middle."""
+    if isinstance(light, DirectionalLight):
+        along = np.tile(np.array(light.direction, np.float64), (len(points), 1))
+    else:
+        assert isinstance(light, PositionalLight)
+        along = points - np.array(light.position, np.float64)
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    unit: F64 = np.where(length > 0.0, along / np.where(length > 0.0, length, 1.0), (0.0, 0.0, 1.0))
+    return unit
+
+
+def _starts(points: F64, normals: F64, along: F64, square: F64, sides: F64) -> F64:
     """(N samples, 3): where rays start, those of a point beside each other."""
-    along = np.array(scene.lights[0].direction, np.float64)
-    along /= np.linalg.norm(along)
-    x = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
-    x /= np.linalg.norm(x)
-    square = (_square(len(points), samples, first) - 0.5) * footprint
-    across = square[..., :1] * x + square[..., 1:] * np.cross(along, x)
+    x = np.cross(along, np.eye(3)[np.argmin(np.abs(along), axis=1)])
+    x /= np.linalg.norm(x, axis=1, keepdims=True)
+    y = np.cross(along, x)
+    across = square[..., :1] * x[:, None] + square[..., 1:] * y[:, None]
     # The plane n . p = 0 at x, y lies at the depth -(n . across) / (n . along).
-    facing = normals @ along
+    facing = np.einsum("ni,ni->n", normals, along)
     facing = np.where(np.abs(facing) > 1e-9, facing, 1e-9)
     depth = -np.einsum("nsi,ni->ns", across, normals) / facing[:, None]
-    limit = _MOST_DEPTH * footprint
-    starts: F64 = points[:, None] + across + np.clip(depth, -limit, limit)[..., None] * along
+    limit = _MOST_DEPTH * sides[:, None]
+    clipped = np.clip(depth, -limit, limit)[..., None] * along[:, None]
+    starts: F64 = points[:, None] + across + clipped
     return starts.reshape(-1, 3)
 
 

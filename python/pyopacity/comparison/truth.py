@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from pyopacity import _native
 from pyopacity.camera import Camera
 from pyopacity.comparison.plan import Plan, Variant
 from pyopacity.comparison.surfaces import F32, F64, trace_on_surfaces
@@ -15,12 +16,14 @@ from pyopacity.errors import ParameterError
 from pyopacity.reference_picture import PictureParts, picture_parts, traced
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
-from pyopacity.shapes import Mesh, Shape
+from pyopacity.shapes import Mesh, Particles, Shape, Strands, Volume
 from pyopacity.technique import EXACT, techniques
 from pyopacity.trace import trace_transmittance
 
 Bias = float | None  # of a technique, world units; None: automatic
 Progress = Callable[[str], object]
+
+_PLURAL = {Strands: "strands", Mesh: "surfaces", Particles: "particles", Volume: "voxels"}
 
 # What judges one map (docs/accuracy.md).
 FOOTPRINT_TEXELS = 2.0
@@ -28,58 +31,70 @@ FOOTPRINT_TEXELS = 2.0
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Receivers:
-    """Vertices at which T is compared, one shape after the other.
+    """Where T is compared: vertices, centres of particles and voxels, one shape after the other.
 
     Attributes:
-        chosen: (shape, indices of its vertices, ascending).
+        chosen: (shape, indices of its points, ascending).
         points: (N, 3) float64, world units.
-        normals: (N, 3) float64, of any length; 0 on a strand.
-        bias: (N,) float64, world units: the automatic bias of each vertex's shape.
+        normals: (N, 3) float64, of any length; 0 but on a surface.
+        bias: (N,) float64, world units: the automatic bias of each point's shape.
+        lights: of the scene. What follows is (lights, N).
     """
 
     chosen: list[tuple[Shape, npt.NDArray[np.int64]]]
     points: F64
     normals: F64
     bias: F64
+    lights: int = 1
 
     def transmittance(self, renderer: Renderer) -> F32:
-        """(N,) float32: T at them by the renderer's technique, each with its own shape's bias."""
+        """T by the renderer's technique, each with its own shape's bias; flat."""
         return np.concatenate(
-            [renderer.transmittance(shape)[indices] for shape, indices in self.chosen]
+            [
+                renderer.transmittance(shape, light)[indices]
+                for light in range(self.lights)
+                for shape, indices in self.chosen
+            ]
         )
+
+    def texel_sides(self, renderer: Renderer) -> F64:
+        """Of the last frame's maps, in world units, where each point lies."""
+        sides = renderer._engine.texel_sides
+        return np.stack([sides(self.points, light) for light in range(self.lights)])
 
 
 def sample_receivers(scene: Scene, count: int, seed: int) -> Receivers:
-    """A random subset of the vertices of all shapes that receive; all, where they are fewer.
+    """A random subset of the points of all shapes that receive; all, where they are fewer.
 
     Raises:
         ParameterError: no shape receives.
     """
-    shapes = [shape for shape in scene.shapes if shape.receives and len(shape.points) > 0]
-    if not shapes:
+    receiving = [(s, _native.receivers_on(s._handle)) for s in scene.shapes if s.receives]
+    places = [(shape, points) for shape, points in receiving if len(points) > 0]
+    if not places:
         raise ParameterError("no shape of the scene receives shadows", "add one, or set .receives")
-    ends = np.cumsum([len(shape.points) for shape in shapes])
+    ends = np.cumsum([len(points) for _, points in places])
     total = int(ends[-1])
     random = np.random.default_rng(seed)
     kept = np.sort(random.choice(total, min(count, total), replace=False))
     chosen, points, normals, bias = [], [], [], []
-    for shape, end in zip(shapes, ends, strict=True):
-        first = end - len(shape.points)
+    for (shape, world), end in zip(places, ends, strict=True):
+        first = end - len(world)
         own = kept[(kept >= first) & (kept < end)] - first
         if not len(own):
             continue
-        matrix = shape.transform
         chosen.append((shape, own))
-        points.append(shape.points[own].astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3])
+        points.append(world[own])
         normals.append(np.zeros((len(own), 3)))
         if isinstance(shape, Mesh):
-            normals[-1] = shape.normals[own] @ np.linalg.inv(matrix[:3, :3])
+            normals[-1] = shape.normals[own] @ np.linalg.inv(shape.transform[:3, :3])
         bias.append(np.full(len(own), scene._handle.automatic_bias(shape._handle)))
-    return Receivers(chosen, *(np.concatenate(part) for part in (points, normals, bias)))
+    at, n, b = (np.concatenate(part) for part in (points, normals, bias))
+    return Receivers(chosen, at, n, b, len(scene.lights))
 
 
 def texel_side(renderer: Renderer) -> float:
-    """Of the last frame's map, in world units."""
+    """Of the last frame's map of a directional light, in world units."""
     return 1.0 / float(np.linalg.norm(renderer.light_from_world[0, :3]))
 
 
@@ -111,13 +126,14 @@ class Truth:
         self._receivers, self._progress = receivers, progress
         self._parts: PictureParts | None = None
         self._pictures: dict[Bias, F32] = {}
-        self._transmittance: dict[tuple[float, Bias], F32] = {}
+        self._transmittance: dict[tuple[bytes, Bias], F32] = {}
 
-    def transmittance(self, footprint: float, bias: Bias) -> F32:
-        """(N,) float32 at the receivers: the mean over a square of this side in world units."""
-        key = (footprint, bias)
+    def transmittance(self, footprint: F64, bias: Bias) -> F32:
+        """At the receivers, flat: means over squares of these sides, (lights, N), world units."""
+        key = (footprint.tobytes(), bias)
         if key not in self._transmittance:
-            self._transmittance[key] = self._trace(footprint, bias)
+            lit = [self._trace(light, sides, bias) for light, sides in enumerate(footprint)]
+            self._transmittance[key] = np.concatenate(lit)
         return self._transmittance[key]
 
     def picture(self, bias: Bias) -> F32:
@@ -133,24 +149,34 @@ class Truth:
             )
         return self._pictures[bias]
 
-    def _trace(self, footprint: float, bias: Bias) -> F32:
+    def _trace(self, light: int, sides: F64, bias: Bias) -> F32:
+        """(N,) of one light, shape after shape."""
         receivers, samples = self._receivers, self._plan.samples
-        biases = receivers.bias if bias is None else np.full_like(receivers.bias, bias)
-        on_surface = receivers.normals.any(axis=1) & (footprint > 0.0)
-        T = np.empty(len(biases), np.float32)
-        if (~on_surface).any():
-            points = receivers.points[~on_surface]
-            tell = self._tell("tracing rays from strands")
-            T[~on_surface] = trace_transmittance(
-                self._scene, points, 0, footprint, samples, bias=biases[~on_surface], progress=tell
-            )
-        if on_surface.any():
-            points, normals = receivers.points[on_surface], receivers.normals[on_surface]
-            tell = self._tell("tracing rays from surfaces")
-            T[on_surface] = trace_on_surfaces(
-                self._scene, points, normals, biases[on_surface], footprint, samples, tell
-            )
-        return T
+        own_bias = receivers.bias if bias is None else np.full_like(receivers.bias, bias)
+        found, first = [], 0
+        for shape, indices in receivers.chosen:
+            part = slice(first, first + len(indices))
+            first = part.stop
+            tell = self._tell(f"tracing rays from {_PLURAL[type(shape)]}")
+            at, biases, footprint = receivers.points[part], own_bias[part], sides[part]
+            if isinstance(shape, Mesh) and footprint.all():
+                normals = receivers.normals[part]
+                T = trace_on_surfaces(
+                    self._scene, at, normals, biases, footprint, samples, tell, light
+                )
+            else:
+                T = trace_transmittance(
+                    self._scene,
+                    shape,
+                    light,
+                    footprint,
+                    samples,
+                    bias=biases,
+                    indices=indices,
+                    progress=tell,
+                )
+            found.append(T)
+        return np.concatenate(found)
 
     def _tell(self, what: str) -> Callable[[float], object]:
         self._progress(what)
