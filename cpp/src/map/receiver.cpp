@@ -201,7 +201,8 @@ std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
         for (Receiver& receiver : list) receiver.on_strand = 1.f;
     if (strands && corrects) tell_strands(list, p_ls, *strands, space);
     if (const auto* mesh = dynamic_cast<const Mesh*>(query.own))
-        tell_mesh(list, p_ls, *mesh, space, corrects);
+        // What a surface with alpha leaves in a texel is not its opacity.
+        tell_mesh(list, p_ls, *mesh, space, corrects && !mesh->has_alpha());
     if (dynamic_cast<const Volume*>(query.own)) tell_voxels(list, p_ls, query, space);
     if (const auto* particles = dynamic_cast<const Particles*>(query.own))
         if (query.is_in_maps) tell_particles(list, *particles, space);
