@@ -20,6 +20,9 @@ class LightCasters;
 class TexelMap;
 struct FragmentSource;
 
+// How shaders are told of a light's faces (lib/light.glsl); none of a directional one.
+Defines light_defines(const LightSpace& space);
+
 // What the renderer hands to every technique.
 struct ShadowInputs {
     const View& light;      // light space: lib/light.glsl
@@ -39,8 +42,10 @@ struct ShadowInputs {
                          Defines defines = {}) const;
     Reads caster_reads(bool optical_depth, Reads more = {}) const;
     TextureDesc map(Format format, int layers = 0) const {
-        const int size_px = space.map_size_px;
-        return {.format = format, .width = size_px, .height = size_px, .layers = layers};
+        return {.format = format,
+                .width = space.width_px(),
+                .height = space.height_px(),
+                .layers = layers};
     }
     // What the same pass draws, for its form in C++ (map/fragments.hpp).
     FragmentSource fragments(PassContext& context, bool optical_depth) const;

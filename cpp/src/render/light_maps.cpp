@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "map/fragments.hpp"
+#include "render/light_view.hpp"
 
 namespace opacity::render {
 namespace {
@@ -12,9 +13,9 @@ std::string scoped(const std::string& scope, const std::string& name) {
     return scope.empty() ? name : scope + "/" + name;
 }
 
-const DirectionalLight& directional(const Light* light) {
+const Light& light_or_none(const Light* light) {
     static const DirectionalLight no_light{{0.0, 0.0, -1.0}, {0.f, 0.f, 0.f}, 0.f};
-    return light ? require_directional(*light) : no_light;
+    return light ? *light : no_light;
 }
 
 }  // namespace
@@ -28,12 +29,9 @@ void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults&
     technique_ = light && light->technique() ? light->technique() : defaults.technique;
     own_map_size_px_ = light ? light->map_size() : 0;
     space_ = fit_.fit(
-        scene, directional(light),
+        scene, light_or_none(light),
         [&](double side) { return map_size_px(scene, defaults.map_size, side); }, query);
-    view_.update(space_.from_world, {{"u_light_map_size_px", space_.map_size_px},
-                                     {"u_light_depth_range", float(space_.depth_range)},
-                                     {"u_light_texels_per_unit", float(space_.texels_per_unit)},
-                                     {"u_light_least_bias", float(space_.least_bias)}});
+    update_light_view(view_, space_);
 }
 
 int LightMaps::map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side) {
@@ -85,8 +83,8 @@ Texture& LightMaps::add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool 
     const std::string name = at_surface ? "opaque_surface" : "opaque_depth";
     Texture& map = graph.texture(
         name,
-        {.format = Format::depth32f, .width = space_.map_size_px, .height = space_.map_size_px});
-    Defines defines;
+        {.format = Format::depth32f, .width = space_.width_px(), .height = space_.height_px()});
+    Defines defines = light_defines(space_);
     if (at_surface) defines.emplace_back("AT_SURFACE", "1");
     graph.add({.name = name,
                .shader = {.vertex = "casters.vert.glsl",

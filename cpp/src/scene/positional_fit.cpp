@@ -73,9 +73,11 @@ Window intersection(const Window& a, const Window& b) {
     return Window::around(box);
 }
 
-// Texels beyond a cube's face that its neighbours have too, for the taps of a filter.
-double guard_px(int map_size_px) {
-    return map_size_px < 8 ? 0.0 : std::clamp(map_size_px / 32.0, 2.0, 34.0);
+// Beside one face nothing casts; beside a cube's lie its neighbours, and the taps of a filter must
+// find on one face what they need.
+double border_px(int map_size_px, bool is_cube) {
+    if (!is_cube) return map_size_px >= 4 ? 1.0 : 0.0;
+    return map_size_px >= 8 ? std::clamp(map_size_px / 32.0, 2.0, 34.0) : 0.0;
 }
 
 struct Range {
@@ -157,59 +159,78 @@ bool PositionalFit::aim(const Scene& scene, const PositionalLight& light, const 
     return true;
 }
 
+namespace {
+
+// Where nothing casts: one face a point, which sees nothing.
+LightSpace nothing_cast(const Scene& scene, int map_size_px, std::size_t points) {
+    LightSpace space{.faces = std::vector<LightFace>(points)};
+    space.map_size_px = map_size_px;
+    space.least_bias = least_bias(scene);
+    return space;
+}
+
+// A point's face, or one of its six, in light coordinates: those of the world about the casters'
+// middle, in depth ranges.
+LightFace face_at(const double3& point, const std::array<double, 9>& axes, const Window& window,
+                  const FaceScale& scale) {
+    LightFace face{.axes = axes};
+    const double3 away = minus(scale.center, point);
+    face.offset = face.seen(scaled(away, 1.0 / scale.depth_range));
+    face.focal_px = scale.free_px / window.side;
+    for (std::size_t i = 0; i < 2; ++i)
+        face.middle_px[i] = 0.5 * scale.map_size_px - face.focal_px * window.middle[i];
+    face.depth_of_origin = (length(away) - scale.near) / scale.depth_range;
+    return face;
+}
+
+}  // namespace
+
+// The widest window of all points.
+double PositionalFit::widest_window() const {
+    double widest = lenses_.empty() ? 2.0 : 0.0;
+    for (const Lens& lens : lenses_) widest = std::max(widest, lens.window->side);
+    return widest;
+}
+
+std::vector<LightFace> PositionalFit::faces(const FaceScale& scale) const {
+    std::vector<LightFace> faces;
+    if (lenses_.empty())
+        for (const double3& point : points_)
+            for (const auto& axes : cube_axes)
+                faces.push_back(face_at(point, axes, {{0.0, 0.0}, 2.0}, scale));
+    for (std::size_t i = 0; i < lenses_.size(); ++i) {
+        const double4x4& m = lenses_[i].rotation;
+        faces.push_back(face_at(points_[i], {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]},
+                                *lenses_[i].window, scale));
+    }
+    return faces;
+}
+
 LightSpace PositionalFit::fit(const Scene& scene, const PositionalLight& light,
                               const MapSizePx& size_for, const Box& query) {
     points_ = light_points(light);
     Extent extent = measure(scene);
     extent.receivers.extend(query);
+    if (extent.casters.empty()) return nothing_cast(scene, size_for(1.0), points_.size());
+    if (!aim(scene, light, extent)) lenses_.clear();
+
     LightSpace space{.faces = {}};
     space.least_bias = least_bias(scene);
-    if (extent.casters.empty()) {
-        space.map_size_px = size_for(1.0);
-        space.faces.assign(points_.size(), {});
-        return space;
-    }
-    const bool one_face = aim(scene, light, extent);
-    if (!one_face) lenses_.clear();
-    const double3 center = extent.casters.center();
-    const double widest =
-        one_face ? std::ranges::max(lenses_, {}, [](const Lens& lens) { return lens.window->side; })
-                       .window->side
-                 : 2.0;
     const Range range = range_of(extent.casters, extent.receivers, points_);
+    const double widest = widest_window();
     space.map_size_px = size_for(widest * 0.5 * (range.near + range.far));
-    const double border = !one_face                ? guard_px(space.map_size_px)
-                          : space.map_size_px >= 4 ? 1.0
-                                                   : 0.0;
-    const double free_px = space.map_size_px - 2.0 * border;
+    const double free_px = space.map_size_px - 2.0 * border_px(space.map_size_px, lenses_.empty());
     const double margin =
         extent.surfaces ? surface_margin_texels * range.far * widest / free_px : 0.0;
     space.depth_range = std::max({range.far - range.near, 1e-6 * range.far, 1e-30}) + margin;
     space.texels_per_unit = free_px / widest / space.depth_range;
-    const double scale = 1.0 / space.depth_range;
-    space.from_world = {scale, 0, 0,     -center[0] * scale, 0, scale, 0, -center[1] * scale,
-                        0,     0, scale, -center[2] * scale, 0, 0,     0, 1};
-    space.faces_an_eye = one_face ? 1 : 6;
-    const auto add = [&](const double3& point, const std::array<double, 9>& axes,
-                         const Window& window) {
-        LightFace face{.axes = axes};
-        const double3 away = minus(center, point);
-        face.offset = face.seen({away[0] * scale, away[1] * scale, away[2] * scale});
-        face.focal_px = free_px / window.side;
-        for (std::size_t i = 0; i < 2; ++i)
-            face.middle_px[i] = 0.5 * space.map_size_px - face.focal_px * window.middle[i];
-        face.depth_of_origin = (length(away) - range.near) * scale;
-        space.faces.push_back(face);
-    };
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (!one_face) {
-            for (const auto& axes : cube_axes) add(points_[i], axes, {{0.0, 0.0}, 2.0});
-            continue;
-        }
-        const double4x4& m = lenses_[i].rotation;
-        add(points_[i], {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]},
-            *lenses_[i].window);
+    const double3 center = extent.casters.center();
+    for (std::size_t i = 0; i < 3; ++i) {
+        space.from_world[5 * i] = 1.0 / space.depth_range;
+        space.from_world[4 * i + 3] = -center[i] / space.depth_range;
     }
+    space.faces_an_eye = lenses_.empty() ? 6 : 1;
+    space.faces = faces({center, range.near, space.depth_range, free_px, space.map_size_px});
     return space;
 }
 

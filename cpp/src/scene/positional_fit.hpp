@@ -13,10 +13,19 @@
 
 namespace opacity {
 
+// What all faces of a light share.
+struct FaceScale {
+    double3 center;      // of the casters, world: the origin of light coordinates
+    double near;         // world units from the light to depth 0
+    double depth_range;  // world units
+    double free_px;      // a face without its border
+    int map_size_px;
+};
+
 class PositionalFit {
    public:
     using MapSizePx = std::function<int(double side)>;
-    // As LightFit::fit.
+    // As LightFit::fit. It holds on to each point's window and aim while they fit.
     LightSpace fit(const Scene& scene, const PositionalLight& light, const MapSizePx& map_size_px,
                    const Box& query);
 
@@ -37,6 +46,9 @@ class PositionalFit {
     // What the casters span before a point, in tangents; nothing where they do not lie before it.
     std::optional<Box> tangents(const Scene& scene, Lens& lens, const double3& point) const;
     bool aim(const Scene& scene, const PositionalLight& light, const Extent& extent);
+
+    double widest_window() const;
+    std::vector<LightFace> faces(const FaceScale& scale) const;
 
     std::vector<double3> points_;
     std::vector<Lens> lenses_;  // one a point; none: cubes

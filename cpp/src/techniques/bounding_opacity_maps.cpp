@@ -101,13 +101,13 @@ Texture& BoundingOpacityMaps::add_layers(FrameGraph& graph, const ShadowInputs& 
 
 DrawnLayers BoundingOpacityMaps::add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
                                                const Bounds& bounds) const {
-    const int count = fine_layer_count(inputs.space.map_size_px);
+    const int count = fine_layer_count(inputs.space.width_px());
     auto& fine_layers = graph.value("fine/layers", 0);
     auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
     fine_layers.set(count);
     fine_planes.set(layer_planes(count, fine_ratio));
     Texture& map = add_layers(graph, inputs, bounds, "histogram", {fine_layers, fine_planes, count},
-                              block_stride(inputs.space.map_size_px));
+                              block_stride(inputs.space.width_px()));
     return {map, fine_planes, bounds};
 }
 

@@ -22,14 +22,15 @@ constexpr std::size_t sampled_texels = 4096;
 struct ReadBack {
     std::vector<float> targets, start, end;
     std::vector<float> planes;
-    int map_size_px;
+    int width_px, height_px;
 
     ReadBack(PassContext& context, const DrawnLayers& drawn)
         : targets{context.read<float>(drawn.map)},
           start{context.read<float>(drawn.bounds.start)},
           end{context.read<float>(drawn.bounds.end)},
           planes{drawn.planes.get()},
-          map_size_px{drawn.map.desc().width} {}
+          width_px{drawn.map.desc().width},
+          height_px{drawn.map.desc().height} {}
 
     int layers() const { return int(planes.size()) - 1; }
     float plane(std::size_t texel, int k) const {
@@ -43,13 +44,13 @@ struct ReadBack {
 std::vector<std::size_t> sampled(const ReadBack& drawn) {
     std::vector<std::size_t> texels;
     std::size_t covered = 0;
-    const auto is_sampled = [stride = block_stride(drawn.map_size_px)](int i) {
+    const auto is_sampled = [stride = block_stride(drawn.width_px)](int i) {
         return i / block_size_px % stride == 0;
     };
-    for (int y = 0; y < drawn.map_size_px; ++y)
-        for (int x = 0; x < drawn.map_size_px; ++x) {
+    for (int y = 0; y < drawn.height_px; ++y)
+        for (int x = 0; x < drawn.width_px; ++x) {
             if (!is_sampled(x) || !is_sampled(y)) continue;
-            texels.push_back(std::size_t(y) * drawn.map_size_px + x);
+            texels.push_back(std::size_t(y) * drawn.width_px + x);
             covered += drawn.plane(texels.back(), drawn.layers() - 1) > 0.f;
         }
     const std::size_t stride = std::max<std::size_t>(1, covered / sampled_texels);
@@ -97,12 +98,12 @@ std::string progress(std::span<const double> scores, bool is_trial) {
 
 }  // namespace
 
-int fine_layer_count(int map_size_px) {
-    return map_size_px <= 1024 ? 64 : map_size_px <= 2048 ? 32 : 16;
+int fine_layer_count(int map_width_px) {
+    return map_width_px <= 1024 ? 64 : map_width_px <= 2048 ? 32 : 16;
 }
 
-int block_stride(int map_size_px) {
-    return std::max(1, map_size_px / sampled_size_px);
+int block_stride(int map_width_px) {
+    return std::max(1, map_width_px / sampled_size_px);
 }
 
 void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,

@@ -14,10 +14,10 @@ namespace opacity::techniques {
 // and fine enough behind; at a ratio between two trials, since one whose planes fall on those of
 // the cells looks better than it is. Larger maps have texels enough to take fewer cells.
 constexpr double fine_ratio = 0.45;
-int fine_layer_count(int map_size_px);
+int fine_layer_count(int map_width_px);
 
 // It holds one block of 4 x 4 texels in so many, both ways.
-int block_stride(int map_size_px);
+int block_stride(int map_width_px);
 
 // Depths of the first and the last caster of each texel.
 struct Bounds {

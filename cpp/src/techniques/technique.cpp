@@ -10,8 +10,14 @@
 
 namespace opacity {
 
+Defines light_defines(const LightSpace& space) {
+    if (space.is_parallel()) return {};
+    return {{"LIGHT_FACES", std::to_string(space.face_count())}};
+}
+
 Shader ShadowInputs::caster_shader(const std::string& fragment, bool optical_depth,
                                    Defines defines) const {
+    for (const auto& define : light_defines(space)) defines.push_back(define);
     if (optical_depth) defines.emplace_back("OPTICAL_DEPTH", "1");
     if (has_opaque) defines.emplace_back("READS_OPAQUE_DEPTH", "1");
     if (paper_deposit) defines.emplace_back("PAPER_DEPOSIT", "1");
@@ -37,6 +43,7 @@ LookUp Technique::look_up(const ShadowInputs& inputs, Reads reads,
     const bool bilinear = filter.is("box") && filter_width.is_auto() && filter_radius.get() == 0.5;
     Defines defines{{"FILTER_" + (bilinear ? "bilinear" : filter.get()), "1"}};
     if (filter_domain.is("density")) defines.emplace_back("DENSITY_FILTER", "1");
+    for (const auto& define : light_defines(inputs.space)) defines.push_back(define);
     return {.reads = std::move(reads), .defines = std::move(defines), .on_cpu = std::move(on_cpu)};
 }
 
