@@ -37,7 +37,7 @@ class PositionalFit {
     };
     // A face that is held on to while it still fits.
     struct Lens {
-        double3 forward{0, 0, -1};
+        double3 forward{};  // 0: not aimed yet, nothing lies before it
         double4x4 rotation = identity;
         std::optional<Window> window;  // of tangents
         CasterBoxes boxes;
