@@ -8,7 +8,39 @@ uniform mat4 u_light_from_local;
 // fuse a * b + c too.
 invariant gl_Position;
 
+#ifdef LIGHT_FACES
+// Each shape is drawn once for each face. What is beside the face, or not before it, is cut off.
+flat out int v_face;
+out float gl_ClipDistance[5];
+
+// `p` times `forward` is the place on the face; so a triangle may reach behind it.
+vec4 clip_from_face(vec2 p, float forward) {
+    float size = float(u_light_map_size_px);
+    gl_ClipDistance[0] = p.x;
+    gl_ClipDistance[1] = size * forward - p.x;
+    gl_ClipDistance[2] = p.y;
+    gl_ClipDistance[3] = size * forward - p.y;
+    gl_ClipDistance[4] = forward - least_forward;
+    vec2 map_size = size * vec2(u_light_columns, (LIGHT_FACES + u_light_columns - 1) / u_light_columns);
+    return vec4(2.0 * (p + forward * vec2(corner_px(v_face))) / map_size - forward, 0.0, forward);
+}
+
+vec4 clip_from_seen(vec3 r) {
+    return clip_from_face(focal_px(v_face) * r.xy + r.z * middle_px(v_face), r.z);
+}
+
+vec4 clip_from_texels(vec2 p) { return clip_from_face(p, 1.0); }
+#else
 vec4 clip_from_texels(vec2 p) { return vec4(2.0 * p / float(u_light_map_size_px) - 1.0, 0.0, 1.0); }
+#endif
+
+// What leaves nothing in the map lies outside of it.
+vec4 clipped_away() {
+#ifdef LIGHT_FACES
+    for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = -1.0;
+#endif
+    return vec4(2.0, 2.0, 0.0, 1.0);
+}
 
 #ifdef OPTICAL_DEPTH
 layout(std430) readonly buffer b_opacity { float opacity[]; };
@@ -27,3 +59,10 @@ uniform int u_opacity_stride;  // 0: one opacity for all
 #ifdef VOLUME
 #include "casters/volume.vert.glsl"
 #endif
+
+void main() {
+#ifdef LIGHT_FACES
+    v_face = gl_InstanceID;
+#endif
+    place_caster();
+}

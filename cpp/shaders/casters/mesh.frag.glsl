@@ -6,22 +6,27 @@
 in vec2 v_uv;
 #endif
 
-in float v_depth;
 #ifdef LIGHT_FACES
-flat in int v_face;
-in float v_forward;
-float texels_per_unit() { return texels_per_unit_by(v_face, v_forward); }
+in vec3 v_q;
+float depth_here() { return depth_by(v_face, v_q); }
+float texels_per_unit() { return texels_per_unit_by(v_face, seen_by(v_face, v_q).z); }
+vec2 slope_here() {
+    return surface_slope(place_change_by(v_face, v_q, dFdx(v_q)), place_change_by(v_face, v_q, dFdy(v_q)));
+}
 #else
+in float v_depth;
+float depth_here() { return v_depth; }
 float texels_per_unit() { return u_light_texels_per_unit; }
+vec2 slope_here() { return vec2(dFdx(v_depth), dFdy(v_depth)); }
 #endif
 #ifdef OPTICAL_DEPTH
 in float v_opacity;
 #endif
 
 bool covers(out Deposit deposit) {
-    deposit.depth = v_depth;
+    deposit.depth = depth_here();
 #ifndef AT_SURFACE
-    deposit.depth += surface_margin(vec2(dFdx(v_depth), dFdy(v_depth)), texels_per_unit());
+    deposit.depth += surface_margin(slope_here(), texels_per_unit());
 #endif
     deposit.depth_end = deposit.depth;
     deposit.optical_depth = 0.0;

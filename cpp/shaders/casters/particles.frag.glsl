@@ -3,6 +3,9 @@
 
 flat in vec3 v_center;
 flat in float v_radius_texels;
+#ifdef LIGHT_FACES
+flat in vec4 v_sphere;
+#endif
 #ifdef OPTICAL_DEPTH
 flat in float v_opacity;
 #endif
@@ -13,9 +16,22 @@ bool covers(out Deposit deposit) {
 #ifdef OPTICAL_DEPTH
     through_center = optical_depth_of(v_opacity);
 #endif
+#ifdef LIGHT_FACES
+    // A large one by the ray through the texel's middle.
+    if (!(v_radius_texels < most_ring_texels)) {
+        LightRay ray = light_ray(v_face, texel_in_face());
+        float part;
+        bool is_met = sphere_chord(ray, v_sphere.xyz, v_sphere.w, deposit.depth, deposit.depth_end, part);
+        deposit.optical_depth = part * through_center;
+        return is_met;
+    }
+    float depths_a_texel = seen_by(v_face, v_sphere.xyz).z / focal_px(v_face);
+#else
+    float depths_a_texel = 1.0 / (u_light_texels_per_unit * u_light_depth_range);
+#endif
     SphereCoverage coverage;
-    if (!sphere_coverage(v_center.xy, v_radius_texels, through_center, gl_FragCoord.xy, coverage)) return false;
-    float half_length = coverage.half_length / (u_light_texels_per_unit * u_light_depth_range);
+    if (!sphere_coverage(v_center.xy, v_radius_texels, through_center, texel_in_face(), coverage)) return false;
+    float half_length = coverage.half_length * depths_a_texel;
     deposit.depth = v_center.z - half_length;
     deposit.depth_end = v_center.z + half_length;
     deposit.optical_depth = optical_depth_of(coverage.opacity);

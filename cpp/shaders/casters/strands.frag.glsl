@@ -3,17 +3,33 @@
 
 flat in vec3 v_root, v_tip;
 flat in vec2 v_width_texels;
+#ifdef LIGHT_FACES
+flat in vec3 v_root_q, v_tip_q;
+flat in vec2 v_forward;
+#endif
 #ifdef OPTICAL_DEPTH
 flat in vec2 v_opacity;
+#endif
+
+#ifdef LIGHT_FACES
+// What is even along the segment is not along its picture on a face.
+void put_right(inout Coverage coverage) {
+    float s = coverage.place;
+    coverage.place = s * v_forward.x / ((1.0 - s) * v_forward.y + s * v_forward.x);
+    coverage.depth = depth_by(v_face, mix(v_root_q, v_tip_q, coverage.place));
+}
 #endif
 
 bool covers(out Deposit deposit) {
     deposit = Deposit(0.0, 0.0, 0.0);
     Coverage coverage;
 #ifdef PAPER_DEPOSIT
-    if (!line_coverage(v_root, v_tip, gl_FragCoord.xy, coverage)) return false;
+    if (!line_coverage(v_root, v_tip, texel_in_face(), coverage)) return false;
 #else
-    if (!ribbon_coverage(v_root, v_tip, v_width_texels, gl_FragCoord.xy, coverage)) return false;
+    if (!ribbon_coverage(v_root, v_tip, v_width_texels, texel_in_face(), coverage)) return false;
+#endif
+#ifdef LIGHT_FACES
+    put_right(coverage);
 #endif
     deposit.depth = deposit.depth_end = coverage.depth;
 #ifdef OPTICAL_DEPTH

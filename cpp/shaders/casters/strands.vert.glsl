@@ -5,26 +5,65 @@ uniform float u_width_scale;  // shape's units to world units
 
 precise flat out vec3 v_root, v_tip;   // light space
 precise flat out vec2 v_width_texels;  // at both ends
+#ifdef LIGHT_FACES
+precise flat out vec3 v_root_q, v_tip_q;  // light coordinates
+precise flat out vec2 v_forward;          // of both ends, before the face
+#endif
 #ifdef OPTICAL_DEPTH
 flat out vec2 v_opacity;
 #endif
 
-void main() {
+#ifdef LIGHT_FACES
+// Cuts off what is not before the face, and sees the rest through it; false where nothing is left.
+bool see_segment(vec2 width) {
+    float a = seen_by(v_face, v_root_q).z, b = seen_by(v_face, v_tip_q).z;
+    const float least = 1.001 * least_forward;
+    if (max(a, b) <= least) return false;
+    vec2 ends = vec2(0.0, 1.0);
+    if (a < least) ends.x = (least - a) / (b - a);
+    if (b < least) ends.y = (least - a) / (b - a);
+    vec3 root = v_root_q, along = v_tip_q - v_root_q;
+    v_root_q = root + ends.x * along;
+    v_tip_q = root + ends.y * along;
+    v_forward = mix(vec2(a), vec2(b), ends);
+    width = mix(width.xx, width.yy, ends);
+#ifdef OPTICAL_DEPTH
+    v_opacity = mix(v_opacity.xx, v_opacity.yy, ends);
+#endif
+    v_root = place_by(v_face, v_root_q);
+    v_tip = place_by(v_face, v_tip_q);
+    v_width_texels = vec2(ribbon_width_by(v_face, v_root_q, along, width.x),
+                          ribbon_width_by(v_face, v_tip_q, along, width.y));
+    return true;
+}
+#endif
+
+void place_caster() {
     uint first = segments[segment_index()];
     vec4 root = points[first], tip = points[first + 1u];
-    v_root = (u_light_from_local * vec4(root.xyz, 1.0)).xyz;
-    v_tip = (u_light_from_local * vec4(tip.xyz, 1.0)).xyz;
-    v_width_texels = vec2(root.w, tip.w) * (u_width_scale * u_light_texels_per_unit);
+    vec3 root_ls = (u_light_from_local * vec4(root.xyz, 1.0)).xyz;
+    vec3 tip_ls = (u_light_from_local * vec4(tip.xyz, 1.0)).xyz;
+    vec2 width = vec2(root.w, tip.w) * u_width_scale;  // world units
 #ifdef OPTICAL_DEPTH
     int i = int(first) * u_opacity_stride;
     v_opacity = vec2(opacity[i], opacity[i + u_opacity_stride]);
+#endif
+#ifdef LIGHT_FACES
+    v_root_q = root_ls, v_tip_q = tip_ls;
+    if (!see_segment(width / u_light_depth_range)) {
+        gl_Position = clipped_away();
+        return;
+    }
+#else
+    v_root = root_ls, v_tip = tip_ls;
+    v_width_texels = vec2(root.w, tip.w) * (u_width_scale * u_light_texels_per_unit);
 #endif
 
     vec2 a = v_root.xy, d = v_tip.xy - v_root.xy;
     bool steep = abs(d.y) > abs(d.x);
     if (steep) a = a.yx, d = d.yx;
     if (d.x == 0.0) {  // along the light: no area, no texel
-        gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
+        gl_Position = clipped_away();
         return;
     }
     float slope = d.y / d.x;

@@ -7,7 +7,11 @@ uniform mat4 u_voxels_from_light;
 flat in vec3 v_slab_begin, v_slab_end;
 
 bool covers(out Deposit deposit) {
+#ifdef LIGHT_FACES
+    LightRay light = light_ray(v_face, texel_in_face());
+#else
     LightRay light = light_ray(gl_FragCoord.xy);
+#endif
     precise vec3 origin = u_voxels_from_light[0].xyz * light.origin.x + u_voxels_from_light[1].xyz * light.origin.y +
                           u_voxels_from_light[2].xyz * light.origin.z + u_voxels_from_light[3].xyz;
     precise vec3 direction = u_voxels_from_light[0].xyz * light.direction.x +

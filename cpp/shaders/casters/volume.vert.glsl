@@ -16,17 +16,24 @@ int longest_axis(vec3 v) {
     return size.y >= size.z ? 1 : 2;
 }
 
-void main() {
+uniform sampler3D t_extinction;
+
+void place_caster() {
     int face = quad_index() % 6, axis = face / 2, slab = quad_index() / 6;
     vec4 begin = slabs[2 * slab], end = slabs[2 * slab + 1];
     v_slab_begin = begin.xyz, v_slab_end = end.xyz;
+#ifdef LIGHT_FACES
+    vec4 light = u_voxels_from_light * light_source(v_face);
+#else
     vec4 light = u_voxels_from_light * light_source();  // w: 0 at infinity
-    vec3 middle = 0.5 * (begin.xyz + end.xyz);
+#endif
+    // One axis for all slabs, or they would overlap.
+    vec3 middle = 0.5 * vec3(textureSize(t_extinction, 0));
     bool is_last = face % 2 == 1;
     float side = light.w * (is_last ? end : begin)[axis] - light[axis];
     bool looks_away = is_last ? side > 0.0 : side < 0.0;
     if (longest_axis(light.w * middle - light.xyz) != int(begin.w) || !looks_away) {
-        gl_Position = vec4(2.0, 2.0, 0.0, 1.0);
+        gl_Position = clipped_away();
         return;
     }
     vec3 p = is_last ? end.xyz : begin.xyz;
@@ -34,5 +41,10 @@ void main() {
     int u = (axis + 1) % 3, v = (axis + 2) % 3;
     p[u] = corner.x > 0.5 ? end[u] : begin[u];
     p[v] = corner.y > 0.5 ? end[v] : begin[v];
-    gl_Position = clip_from_texels((u_light_from_voxels * vec4(p, 1.0)).xy);
+    vec3 p_ls = (u_light_from_voxels * vec4(p, 1.0)).xyz;
+#ifdef LIGHT_FACES
+    gl_Position = clip_from_seen(seen_by(v_face, p_ls));
+#else
+    gl_Position = clip_from_texels(p_ls.xy);
+#endif
 }

@@ -12,6 +12,13 @@
 uniform sampler2D t_opaque_depth;
 #endif
 
+#ifdef LIGHT_FACES
+flat in int v_face;
+vec2 texel_in_face() { return gl_FragCoord.xy - vec2(corner_px(v_face)); }
+#else
+vec2 texel_in_face() { return gl_FragCoord.xy; }
+#endif
+
 struct Deposit {
     float depth, depth_end;  // light space: where it begins and ends; of strands and surfaces the same
     float optical_depth;     // 0 unless OPTICAL_DEPTH

@@ -2,11 +2,31 @@
 // over the texel. Its disc is cut into rings; each ring's opacity is exact, and the texel gets the
 // angle over which the middle of the ring runs inside it. All texels together get all of each ring.
 // C++: map/sphere.hpp.
+#include "lib/light.glsl"
 #include "lib/opacity.glsl"
 
 const float half_circle = 3.14159265;
 const float most_ring_texels = 8.0;  // radius; larger ones are sampled at 3 x 3 points a texel
 const float least_ring_angle = 1e-5;  // less is rounding
+
+// A sphere with a larger radius than this part of its distance has no picture of its own on a face.
+const float near_sphere = 0.25;
+
+// What a ray of light meets of a sphere, in light coordinates: from which depth to which, and which
+// part of the diameter; false: nothing.
+bool sphere_chord(LightRay ray, vec3 center, float radius, out float begin, out float end, out float part) {
+    precise vec3 toward = center - ray.origin;
+    precise float middle = dot(toward, ray.direction);
+    precise vec3 beside = toward - middle * ray.direction;
+    float half_squared = radius * radius - dot(beside, beside);
+    begin = end = part = 0.0;
+    if (!(half_squared > 0.0)) return false;
+    float half_length = sqrt(half_squared);
+    begin = max(middle - half_length, ray.begin);
+    end = middle + half_length;
+    part = 0.5 * (end - begin) / radius;
+    return end > begin;
+}
 
 struct SphereCoverage {
     float opacity;      // mean over the texel

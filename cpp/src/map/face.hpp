@@ -12,6 +12,12 @@
 
 namespace opacity {
 
+// At depth z it is at origin + z direction, in light coordinates.
+struct LightRay {
+    float3 origin, direction;
+    float begin;  // nothing in front of this depth is met by it
+};
+
 class MapFace {
    public:
     MapFace(const LightSpace& space, int face)
@@ -55,6 +61,18 @@ class MapFace {
         const float squared = std::max(d[0] * d[0] + d[1] * d[1], 1e-30f);
         return std::abs(d[0] * across[1] - d[1] * across[0]) / std::sqrt(squared);
     }
+
+    float focal_px() const { return focal_px_; }
+    // The light through a place on the face.
+    LightRay ray(const float2& texel) const {
+        const float x = (texel[0] - middle_px_[0]) / focal_px_;
+        const float y = (texel[1] - middle_px_[1]) / focal_px_;
+        const float3 way = scaled(float3{x, y, 1.f}, 1.f / std::sqrt(x * x + y * y + 1.f));
+        const float begin = depth_of_origin_ - length(offset_);
+        return {turned_back(minus(scaled(way, -begin), offset_)), turned_back(way), begin};
+    }
+    // Where light comes from, in light coordinates.
+    float3 source() const { return scaled(turned_back(offset_), -1.f); }
 
     std::array<int, 2> corner_px;
 

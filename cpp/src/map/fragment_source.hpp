@@ -2,23 +2,25 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "map/face.hpp"
 #include "map/interval.hpp"
 #include "map/light_casters.hpp"
 
 namespace opacity {
 
 struct Fragment {
-    int x, y;
-    std::size_t texel;       // y * map_size_px + x
+    int x, y;                // in the whole map
+    std::size_t texel;       // y * width_px + x
     float depth, depth_end;  // of strands and surfaces the same
     float optical_depth;     // 0 unless asked for
 };
 
-// A band of rows of the map: one thread's work, so that no two write to one texel, and each texel
+// A band of rows of a face: one thread's work, so that no two write to one texel, and each texel
 // gets its fragments in the same order on any number of threads.
 struct Rows {
     int begin, end;
@@ -39,11 +41,14 @@ struct FragmentSource {
 template <class Add>
 class FragmentSink {
    public:
-    FragmentSink(const FragmentSource& source, Add& add) : source_{source}, add_{add} {}
+    FragmentSink(const FragmentSource& source, const std::array<int, 2>& corner_px, Add& add)
+        : source_{source}, corner_px_{corner_px}, width_px_{source.space.width_px()}, add_{add} {}
 
+    // `x` and `y` within the face.
     template <class OpticalDepth>
     void operator()(int x, int y, float depth, float depth_end, OpticalDepth optical_depth) {
-        const std::size_t texel = std::size_t(y) * source_.space.map_size_px + x;
+        x += corner_px_[0], y += corner_px_[1];
+        const std::size_t texel = std::size_t(y) * width_px_ + x;
         depth = std::max(depth, 0.f);
         depth_end = std::max(depth_end, depth);
         float last = 1.f;
@@ -60,6 +65,8 @@ class FragmentSink {
 
    private:
     const FragmentSource& source_;
+    const std::array<int, 2> corner_px_;
+    const int width_px_;
     Add& add_;
 };
 

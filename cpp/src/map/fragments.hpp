@@ -10,25 +10,25 @@
 
 namespace opacity {
 
-// All of one caster within the rows.
+// All of one caster within the rows of a face.
 template <class Sink>
-void caster_fragments(const LightCaster& caster, const FragmentSource& source, Rows rows,
-                      Sink&& sink) {
+void caster_fragments(const LightCaster& caster, const FragmentSource& source, const MapFace* face,
+                      Rows rows, Sink&& sink) {
     switch (caster.kind) {
         case CasterKind::strands:
             for (const std::uint32_t first : caster.indices)
-                segment_fragments(caster, first, source, rows, sink);
+                segment_fragments(caster, first, source, face, rows, sink);
             return;
         case CasterKind::mesh:
             for (std::size_t first = 0; first + 2 < caster.indices.size(); first += 3)
-                triangle_fragments(caster, first, source, rows, sink);
+                triangle_fragments(caster, first, source, face, rows, sink);
             return;
         case CasterKind::particles:
             for (std::size_t i = 0; i < caster.points.size(); ++i)
-                particle_fragments(caster, i, source, rows, sink);
+                particle_fragments(caster, i, source, face, rows, sink);
             return;
         case CasterKind::volume:
-            volume_fragments(caster, source, rows, sink);
+            volume_fragments(caster, source, face, rows, sink);
     }
 }
 
@@ -39,10 +39,15 @@ void for_each_fragment(const FragmentSource& source, Add add) {
         casters.push_back(&source.casters.caster(shape, source.space));
     constexpr int band_rows = 32;
     const int size_px = source.space.map_size_px;
-    parallel_for((size_px + band_rows - 1) / band_rows, [&](std::size_t band) {
-        const Rows rows{int(band) * band_rows, std::min(int(band + 1) * band_rows, size_px)};
-        FragmentSink<Add> sink{source, add};
-        for (const LightCaster* caster : casters) caster_fragments(*caster, source, rows, sink);
+    const std::size_t bands = std::size_t(size_px + band_rows - 1) / band_rows;
+    const MapFaces faces{source.space};
+    parallel_for(bands * std::size_t(source.space.face_count()), [&](std::size_t part) {
+        const int face = int(part / bands), first = int(part % bands) * band_rows;
+        const Rows rows{first, std::min(first + band_rows, size_px)};
+        FragmentSink<Add> sink{source, source.space.corner_px(face), add};
+        const MapFace* seen_through = source.space.is_parallel() ? nullptr : &faces[face];
+        for (const LightCaster* caster : casters)
+            caster_fragments(*caster, source, seen_through, rows, sink);
     });
 }
 

@@ -40,7 +40,9 @@ std::vector<float4> light_points(const Shape& shape, const LightSpace& space) {
     const double3 origin = bounds.empty() ? double3{} : bounds.center();
     const std::vector<float> local = shape.points().relative_to(origin, widths_of(shape));
     const std::array<float, 12> m = light_from_local(shape, space, origin);
-    const float to_texels = float(shape.scale()) * float(space.texels_per_unit);
+    const float size =
+        float(shape.scale()) *
+        (space.is_parallel() ? float(space.texels_per_unit) : 1.f / float(space.depth_range));
     std::vector<float4> points(shape.points().size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const float* p = &local[4 * i];
@@ -48,7 +50,7 @@ std::vector<float4> light_points(const Shape& shape, const LightSpace& space) {
             const float* r = &m[4 * row];
             points[i][row] = r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3];
         }
-        points[i][3] = p[3] * to_texels;
+        points[i][3] = p[3] * size;
     }
     return points;
 }

@@ -18,7 +18,9 @@ enum class CasterKind { strands, mesh, particles, volume };
 
 struct LightCaster {
     CasterKind kind = CasterKind::mesh;
-    std::vector<float4> points;  // light space; w: a strand's width or a particle's radius in texels
+    // Light coordinates; w: a strand's width or a particle's radius, in texels or, where the light
+    // has faces, in depth ranges.
+    std::vector<float4> points;
     std::vector<std::uint32_t> indices;  // first points of segments; or corners of triangles
     std::vector<float> opacity;          // one for all, or one a point
     // Of a mesh with an alpha map, else none.

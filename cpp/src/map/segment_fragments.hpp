@@ -2,6 +2,8 @@
 // casters/strands.vert.glsl and casters/strands.frag.glsl.
 #pragma once
 
+#include <optional>
+
 #include "core/opacity.hpp"
 #include "map/fragment_source.hpp"
 #include "map/ribbon.hpp"
@@ -17,12 +19,41 @@ inline int ceil_of(float v) {
     return -floor_of(-v);
 }
 
+// A segment as the map sees it. Through a face, what is even along the segment is not along its
+// picture.
+struct MapSegment {
+    float4 root{}, tip{};  // places in the map; w: width in texels
+    float root_opacity = 0.f, tip_opacity = 0.f;
+    // Of a face, else null: light coordinates of both ends, and how far before the face they are.
+    const MapFace* face = nullptr;
+    float3 root_q{}, tip_q{};
+    float root_forward = 0.f, tip_forward = 0.f;
+
+    float opacity(float place) const { return MajorSegment::mix(root_opacity, tip_opacity, place); }
+    // Where on the segment, by where on its picture.
+    float place(float s) const {
+        if (!face) return s;
+        return s * root_forward / ((1.f - s) * tip_forward + s * root_forward);
+    }
+    float depth(float place, float picture_depth) const {
+        if (!face) return picture_depth;
+        float3 q;
+        for (std::size_t i = 0; i < 3; ++i) q[i] = MajorSegment::mix(root_q[i], tip_q[i], place);
+        return face->depth(q);
+    }
+};
+// Nothing where it is not before the face.
+std::optional<MapSegment> segment_in_map(const LightCaster& caster, std::size_t first,
+                                         const MapFace* face);
+
 // One segment's fragments within the rows. `Sink` takes x, y, where the fragment begins and ends in
 // depth, and what gives the optical depth.
 template <class Sink>
 void segment_fragments(const LightCaster& caster, std::size_t first, const FragmentSource& source,
-                       Rows rows, Sink&& sink) {
-    const float4 &root = caster.points[first], &tip = caster.points[first + 1];
+                       const MapFace* face, Rows rows, Sink&& sink) {
+    const auto in_map = segment_in_map(caster, first, face);
+    if (!in_map) return;
+    const float4 &root = in_map->root, &tip = in_map->tip;
     const MajorSegment s{{root[0], root[1], root[2]}, {tip[0], tip[1], tip[2]}};
     if (s.dx == 0.f) return;  // along the light: no area, no texel
     const Rows all{0, source.space.map_size_px};
@@ -32,11 +63,10 @@ void segment_fragments(const LightCaster& caster, std::size_t first, const Fragm
     };
     const int begin = floor_of(within(s.begin(), columns));
     const int end = ceil_of(within(s.end(), columns));
-    const float root_opacity = caster.opacity_at(first), tip_opacity = caster.opacity_at(first + 1);
-    const auto emit = [&](int column, int row, float depth, float place, float f, float c) {
-        const auto optical_depth = [&] {
-            return f * optical_depth_of(MajorSegment::mix(root_opacity, tip_opacity, place) * c);
-        };
+    const auto emit = [&](int column, int row, float depth, float picture_place, float f, float c) {
+        const float place = in_map->place(picture_place);
+        depth = in_map->depth(place, depth);
+        const auto optical_depth = [&] { return f * optical_depth_of(in_map->opacity(place) * c); };
         s.steep ? sink(row, column, depth, depth, optical_depth)
                 : sink(column, row, depth, depth, optical_depth);
     };

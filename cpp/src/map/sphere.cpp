@@ -10,7 +10,6 @@ namespace opacity {
 namespace {
 
 constexpr float half_circle = std::numbers::pi_v<float>;
-constexpr float most_ring_texels = 8.f;   // radius; larger ones are sampled at 3 x 3 points a texel
 constexpr float least_ring_angle = 1e-5f;  // less is rounding
 
 // Over what is counted: half chords to the first power and to the third, in radii, and opacity.
@@ -58,7 +57,9 @@ float chord_opacity(float optical_depth, float c) {
 struct Edges {
     float low_x, low_y, high_x, high_y;
 
-    bool hold_all() const { return low_x <= -1.f && low_y <= -1.f && high_x >= 1.f && high_y >= 1.f; }
+    bool hold_all() const {
+        return low_x <= -1.f && low_y <= -1.f && high_x >= 1.f && high_y >= 1.f;
+    }
     float nearest() const {
         const float x = std::max({low_x, -high_x, 0.f}), y = std::max({low_y, -high_y, 0.f});
         return std::sqrt(x * x + y * y);
@@ -90,8 +91,7 @@ SphereSums ring_sums(const Edges& edges, float radius, float optical_depth) {
         const float c3 = c * c * c, d3 = d * d * d;
         sums.chords += angle * (c3 - d3) / 3.f;
         sums.cubed += angle * (c3 * c * c - d3 * d * d) / 5.f;
-        sums.opacity +=
-            angle * (chord_opacity(optical_depth, c) - chord_opacity(optical_depth, d));
+        sums.opacity += angle * (chord_opacity(optical_depth, c) - chord_opacity(optical_depth, d));
     }
     sums.opacity *= radius * radius;
     return sums;
@@ -112,11 +112,24 @@ SphereSums point_sums(const Edges& edges, float radius, float optical_depth) {
 
 }  // namespace
 
+std::optional<SphereChord> sphere_chord(const LightRay& ray, const float3& center, float radius) {
+    const float3 toward = minus(center, ray.origin);
+    const float middle = dot(toward, ray.direction);
+    const float3 beside = minus(toward, scaled(ray.direction, middle));
+    const float half_squared = radius * radius - dot(beside, beside);
+    if (!(half_squared > 0.f)) return {};
+    const float half_length = std::sqrt(half_squared);
+    const float begin = std::max(middle - half_length, ray.begin), end = middle + half_length;
+    if (!(end > begin)) return {};
+    return SphereChord{begin, end, 0.5f * (end - begin) / radius};
+}
+
 std::optional<SphereCoverage> sphere_coverage(const float2& center, float radius,
                                               float optical_depth, const float2& texel) {
     if (!(radius > 0.f)) return {};
-    const Edges edges{(texel[0] - 0.5f - center[0]) / radius, (texel[1] - 0.5f - center[1]) / radius,
-                      (texel[0] + 0.5f - center[0]) / radius, (texel[1] + 0.5f - center[1]) / radius};
+    const Edges edges{
+        (texel[0] - 0.5f - center[0]) / radius, (texel[1] - 0.5f - center[1]) / radius,
+        (texel[0] + 0.5f - center[0]) / radius, (texel[1] + 0.5f - center[1]) / radius};
     const SphereSums sums = radius < most_ring_texels ? ring_sums(edges, radius, optical_depth)
                                                       : point_sums(edges, radius, optical_depth);
     if (!(sums.chords > 0.f)) return {};

@@ -6,9 +6,20 @@
 
 #include <optional>
 
-#include "opacity/core/math.hpp"
+#include "map/face.hpp"
 
 namespace opacity {
+
+inline constexpr float most_ring_texels = 8.f;  // radius; larger ones are sampled
+// A sphere with a larger radius than this part of its distance has no picture of its own on a face.
+inline constexpr float near_sphere = 0.25f;
+
+// From which depth to which, and which part of the diameter.
+struct SphereChord {
+    float begin, end, part;
+};
+// What a ray of light meets of a sphere, in light coordinates.
+std::optional<SphereChord> sphere_chord(const LightRay& ray, const float3& center, float radius);
 
 struct SphereCoverage {
     float opacity;      // mean over the texel

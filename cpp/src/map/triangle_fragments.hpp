@@ -29,15 +29,46 @@ class TriangleCoverage {
 
    private:
     const LightCaster& caster_;
-    float x_ = 0.f, y_ = 0.f;                // of a corner
+    float x_ = 0.f, y_ = 0.f;              // of a corner
     float2 uv_{}, along_x_{}, along_y_{};  // there, and how it changes from texel to texel
     float level_ = 0.f;
 };
 
+// A texel that a triangle covers through a face, and the triangle there.
+struct FaceTexel {
+    int x, y;
+    float depth;
+    float margin;
+    float opacity;
+    float2 uv, along_x, along_y;  // how uv changes from texel to texel
+};
+void face_triangle_texels(const LightCaster& caster, const std::uint32_t* corners,
+                          const LightSpace& space, const MapFace& face, Rows rows,
+                          const std::function<void(const FaceTexel&)>& texel);
+
+template <class Sink>
+void face_triangle_fragments(const LightCaster& caster, const std::uint32_t* corners,
+                             const FragmentSource& source, const MapFace& face, Rows rows,
+                             Sink&& sink) {
+    face_triangle_texels(caster, corners, source.space, face, rows, [&](const FaceTexel& t) {
+        float covered = 1.f;
+        if (!caster.coverage.empty())
+            covered = coverage_at(caster.coverage, t.uv,
+                                  coverage_level(caster.coverage, t.along_x, t.along_y));
+        if (!(covered > 0.f)) return;
+        const float depth = source.surface_margin ? t.depth + t.margin : t.depth;
+        sink(t.x, t.y, depth, depth, [&] { return optical_depth_of(t.opacity * covered); });
+    });
+}
+
 template <class Sink>
 void triangle_fragments(const LightCaster& caster, std::size_t first, const FragmentSource& source,
-                        Rows rows, Sink&& sink) {
+                        const MapFace* face, Rows rows, Sink&& sink) {
     const std::uint32_t* corner = &caster.indices[first];
+    if (face) {
+        face_triangle_fragments(caster, corner, source, *face, rows, sink);
+        return;
+    }
     const std::array<float4, 3> points{caster.points[corner[0]], caster.points[corner[1]],
                                        caster.points[corner[2]]};
     const TriangleCoverage coverage{caster, corner};

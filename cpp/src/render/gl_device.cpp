@@ -9,6 +9,12 @@
 
 namespace opacity::render {
 
+namespace {
+
+constexpr GLenum face_clip_distances = 5;  // casters.vert.glsl
+
+}  // namespace
+
 unsigned internal_format(Format format) {
     switch (format) {
         case Format::depth32f:
@@ -119,6 +125,9 @@ void GlDevice::set_state(const Pass& pass) const {
     toggle(GL_BLEND, state.blend == Blend::add);
     gl().BlendEquation(GL_FUNC_ADD);
     gl().BlendFunc(GL_ONE, GL_ONE);
+    const bool through_faces = pass.view && pass.view->faces() > 0;
+    for (GLenum plane = GL_CLIP_DISTANCE0; plane < GL_CLIP_DISTANCE0 + face_clip_distances; ++plane)
+        toggle(plane, through_faces);
     gl().Disable(GL_CULL_FACE);
     gl().Disable(GL_SCISSOR_TEST);
     gl().ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -183,7 +192,8 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape) {
 
     gl().UseProgram(shader.name());
     gl().VertexArrayElementBuffer(vertex_array_.name(), gpu.indices.object->name());
-    gl().DrawElements(GL_TRIANGLES, gpu.index_count, GL_UNSIGNED_INT, nullptr);
+    const int instances = std::max(1, pass.view->faces());
+    gl().DrawElementsInstanced(GL_TRIANGLES, gpu.index_count, GL_UNSIGNED_INT, nullptr, instances);
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {

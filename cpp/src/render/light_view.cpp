@@ -32,7 +32,7 @@ void update_light_view(View& view, const LightSpace& space) {
         uniforms.emplace_back("u_light_faces_an_eye", space.faces_an_eye);
         uniforms.emplace_back("u_light_columns", space.columns());
     }
-    view.update(space.from_world, std::move(uniforms));
+    view.update(space.from_world, std::move(uniforms), int(space.faces.size()));
 }
 
 }  // namespace opacity::render

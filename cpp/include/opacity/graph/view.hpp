@@ -36,15 +36,20 @@ class View : public UniformSet {
     using UniformSet::UniformSet;
 
     const double4x4& from_world() const noexcept { return from_world_; }
-    void update(const double4x4& from_world, Uniforms uniforms) {
+    // Through how many faces it looks, each of which every shape is drawn for once, with the number
+    // of the face as gl_InstanceID and five clip distances; 0: none, and once.
+    int faces() const noexcept { return faces_; }
+    void update(const double4x4& from_world, Uniforms uniforms, int faces = 0) {
         UniformSet::update(std::move(uniforms));
-        if (from_world == from_world_) return;
+        if (from_world == from_world_ && faces == faces_) return;
         from_world_ = from_world;
+        faces_ = faces;
         touch();
     }
 
    private:
     double4x4 from_world_ = identity;
+    int faces_ = 0;
 };
 
 }  // namespace opacity
