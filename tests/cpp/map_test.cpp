@@ -97,11 +97,11 @@ Texels fragments_of(const FragmentSource& source) {
 Texels in_one_band(const FragmentSource& source) {
     Texels texels(std::size_t(size_px) * size_px);
     const auto add = [&](const Fragment& f) { texels[f.texel].push_back(f); };
-    FragmentSink sink{source, add};
+    FragmentSink sink{source, source.space.corner_px(0), add};
     const Rows all{0, size_px};
     for (const ShapePtr& shape : source.shapes) {
         const LightCaster& caster = source.casters.caster(shape, source.space);
-        caster_fragments(caster, source, all, sink);
+        caster_fragments(caster, source, nullptr, all, sink);
     }
     return texels;
 }
