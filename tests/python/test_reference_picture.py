@@ -56,6 +56,22 @@ def test_under_sheets_light_is_the_product(
     assert np.allclose(shadowed[..., :3], color * (0.1 + 0.8 * T), atol=1e-6)
 
 
+def test_lights_add_up_each_with_its_own_shadow(sheet: Callable[..., po.Mesh]) -> None:
+    ground, cover = sheet(half_size=3.0), sheet(5.0, 9.0, opacity=0.5)
+    lights = [po.DirectionalLight(DOWN), po.PointLight((0.5, 0, 4)), po.PointLight((0, 1, 9))]
+    camera = po.Camera.look_at((0, -1, 4), (0, 0, 0), fov_deg=30)
+    settings: dict[str, Any] = {"size": (16, 12), "samples": 2, "specular": 0.0}
+    # The sheet is above the first lamp, and below the second.
+    T = (0.5, 1.0, 0.5)
+    dark = po.traced_picture(po.Scene(ground), camera, **settings)
+    expected = dark.astype(np.float64)
+    for part, light in zip(T, lights, strict=True):
+        lit = po.traced_picture(po.Scene(ground, light), camera, **settings)
+        expected += part * (lit - dark)
+    scene = po.Scene([ground, cover], lights)
+    assert np.allclose(po.traced_picture(scene, camera, **settings), expected, atol=1e-5)
+
+
 def test_without_a_light_only_ambient_is_left(scene: po.Scene) -> None:
     camera = po.Camera.fit(scene.shapes[:2])
     scene.remove(scene.lights)
