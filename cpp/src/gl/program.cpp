@@ -43,9 +43,10 @@ std::string log_of(const GladGLContext& gl, const ProgramObject& program) {
 }
 
 ShaderObject compile(const std::shared_ptr<Context>& context, const ShaderLibrary& library,
-                     const Stage& stage, Defines defines, const Aliases& aliases) {
+                     const Stage& stage, Defines defines, const Aliases& aliases,
+                     const Namespaces& spaces) {
     defines.insert(defines.begin(), {stage_define(stage.stage), ""});
-    const ExpandedShader expanded = library.expand(stage.path, defines, aliases);
+    const ExpandedShader expanded = library.expand(stage.path, defines, aliases, spaces);
     const GladGLContext& gl = context->gl();
     ShaderObject shader{context, stage.stage};
     const char* text = expanded.text.data();
@@ -96,13 +97,14 @@ std::string declared_name(std::string listed) {
 }  // namespace
 
 Program::Program(std::shared_ptr<Context> context, const ShaderLibrary& library,
-                 const std::vector<Stage>& stages, const Defines& defines, const Aliases& aliases) {
+                 const std::vector<Stage>& stages, const Defines& defines, const Aliases& aliases,
+                 const Namespaces& spaces) {
     const Context::Use use{*context};
     const GladGLContext& gl = context->gl();
     object_ = ProgramObject{context};
     std::vector<ShaderObject> shaders;
     for (const Stage& stage : stages) {
-        shaders.push_back(compile(context, library, stage, defines, aliases));
+        shaders.push_back(compile(context, library, stage, defines, aliases, spaces));
         gl.AttachShader(name(), shaders.back().name());
         label_ += (label_.empty() ? "" : " + ") + stage.path;
     }

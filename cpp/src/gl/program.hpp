@@ -34,7 +34,7 @@ class Program {
     // ShaderError with the compiler's messages, which name "file:line".
     Program(std::shared_ptr<Context> context, const ShaderLibrary& library,
             const std::vector<Stage>& stages, const Defines& defines = {},
-            const Aliases& aliases = {});
+            const Aliases& aliases = {}, const Namespaces& spaces = {});
 
     GLuint name() const noexcept { return object_.name(); }
     void use() const;

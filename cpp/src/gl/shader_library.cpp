@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "gl/embedded_shaders.hpp"
+#include "gl/glsl_namespace.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/core/nearest_name.hpp"
 #include "opacity/core/param.hpp"
@@ -144,10 +145,17 @@ std::string ShaderLibrary::text(const std::string& path) const {
 // branches, and only the preprocessor knows which of them is the first that counts.
 class ShaderLibrary::Expansion {
    public:
-    Expansion(const ShaderLibrary& library, const Aliases& aliases, ExpandedShader& result)
-        : library_{library}, aliases_{aliases}, result_{result} {}
+    Expansion(const ShaderLibrary& library, const Aliases& aliases, const Namespaces& spaces,
+              ExpandedShader& result)
+        : library_{library},
+          aliases_{aliases},
+          spaces_{spaces},
+          result_{result},
+          settled_(result.files.size(), false),
+          open_(result.files.size(), false) {}
 
     void file(const std::string& name, const std::string& where, bool always_seen) {
+        if (spaces_.contains(name)) return namespaced(spaces_.at(name), where);
         const std::string path = aliases_.contains(name) ? aliases_.at(name) : name;
         std::string text;
         if (!library_.find(path, text)) reject_path(where, path, known_names());
@@ -165,6 +173,16 @@ class ShaderLibrary::Expansion {
     }
 
    private:
+    // Expanded apart: what stands outside of the namespace already is not what stands in it.
+    void namespaced(const NamespacedFile& included, const std::string& where) {
+        ExpandedShader inside{"", result_.files};
+        Expansion{library_, aliases_, {}, inside}.file(included.path, where, false);
+        result_.files = inside.files;
+        settled_.resize(result_.files.size(), false);
+        open_.resize(result_.files.size(), false);
+        result_.text += text_in_namespace(inside.text, included.space);
+    }
+
     void lines(const std::string& text, const std::string& path, std::size_t index,
                bool always_seen) {
         std::istringstream stream{text};
@@ -221,18 +239,19 @@ class ShaderLibrary::Expansion {
 
     const ShaderLibrary& library_;
     const Aliases& aliases_;
+    const Namespaces& spaces_;
     ExpandedShader& result_;
     std::vector<bool> settled_, open_;  // for each of result_.files
 };
 
 ExpandedShader ShaderLibrary::expand(const std::string& path, const Defines& defines,
-                                     const Aliases& aliases) const {
+                                     const Aliases& aliases, const Namespaces& spaces) const {
     ExpandedShader result;
     result.text = "#version 450 core\n";
     for (const auto& [name, value] : defines) {
         result.text += "#define " + name + (value.empty() ? "" : " " + value) + "\n";
     }
-    Expansion{*this, aliases, result}.file(path, "", true);
+    Expansion{*this, aliases, spaces, result}.file(path, "", true);
     return result;
 }
 

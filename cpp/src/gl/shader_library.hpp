@@ -18,6 +18,11 @@ namespace opacity::gl {
 using Defines = std::vector<std::pair<std::string, std::string>>;
 // Virtual names: {"technique.glsl", "techniques/deep_opacity_maps.glsl"}.
 using Aliases = std::map<std::string, std::string>;
+// Virtual names of files that stand in a namespace: {"camera/technique.glsl", {"camera", path}}.
+struct NamespacedFile {
+    std::string space, path;
+};
+using Namespaces = std::map<std::string, NamespacedFile>;
 
 // A shader ready to compile. A line of it is known to the compiler as a line of files[index].
 struct ExpandedShader {
@@ -55,7 +60,7 @@ class ShaderLibrary {
     // file's text. Like #pragma once, an include that comes again adds
     // nothing, unless the first stood in a branch that the preprocessor skips.
     ExpandedShader expand(const std::string& path, const Defines& defines = {},
-                          const Aliases& aliases = {}) const;
+                          const Aliases& aliases = {}, const Namespaces& spaces = {}) const;
 
    private:
     class Expansion;
