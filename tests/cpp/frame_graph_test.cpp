@@ -272,6 +272,24 @@ TEST_CASE("a search that finds the same value leaves what follows cached") {
     CHECK(graph.report()[0].note == "found");  // kept while the pass is cached
 }
 
+TEST_CASE("a texture with more layers than before is written by all who write a layer") {
+    RecordingDevice device;
+    FrameGraph graph{device};
+    for (const int layers : {2, 3, 3}) {
+        graph.begin();
+        Texture& lit = graph.texture("lit", {.width = 4, .height = 4, .layers = layers});
+        for (int layer = 0; layer < layers; ++layer)
+            graph.add({.name = "light" + std::to_string(layer),
+                       .writes = {{&lit, layer}},
+                       .execute = [](PassContext&) {}});
+        const bool as_before =
+            !graph.report().empty() && graph.report().size() == std::size_t(layers);
+        graph.run(lit);
+        for (const PassReport& row : graph.report())
+            CHECK(std::string{to_string(row.status)} == (as_before ? "cached" : "ran"));
+    }
+}
+
 TEST_CASE("what a pass did not declare, it cannot touch") {
     RecordingDevice device;
     FrameGraph graph{device};

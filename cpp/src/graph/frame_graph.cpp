@@ -39,7 +39,9 @@ std::string joined(const Names& names) {
 
 Reads all_reads(const Pass& pass) {
     Reads reads = pass.reads;
+    reads.insert(reads.end(), pass.camera_reads.begin(), pass.camera_reads.end());
     if (pass.view) reads.push_back(pass.view);
+    if (pass.tests) reads.push_back(pass.tests);
     if (pass.draws) reads.push_back(&pass.draws->geometry);
     if (pass.only_with) reads.push_back(&pass.only_with->geometry);
     return reads;
@@ -104,8 +106,8 @@ void FrameGraph::check(const Pass& pass) const {
             fail("reads \"" + output->name() + "\", which it writes itself",
                  "write to a second resource and read the first");
     std::map<std::string, const Source*> resources;
-    for (const Source* read : reads) {
-        if (!dynamic_cast<const Resource*>(read)) continue;
+    for (const Source* read : pass.reads) {
+        if (pass.shader == Shader{} || !dynamic_cast<const Resource*>(read)) continue;
         const Source* first = resources.emplace(read->shader_name(), read).first->second;
         if (first != read)
             fail("reads \"" + first->name() + "\" and \"" + read->name() + "\", both t_" +
@@ -154,6 +156,11 @@ void FrameGraph::allocate(const Texture& texture) {
     allocated_.erase(texture.name());
     device_.allocate(texture);
     allocated_[texture.name()] = texture.desc();
+    // Whoever wrote another of its layers has lost what it wrote.
+    for (const Pass& pass : passes_)
+        if (const auto record = records_.find(pass.name);
+            record != records_.end() && all_outputs(pass).contains(&texture))
+            record->second.output_lost = true;
 }
 
 bool FrameGraph::outputs_intact(const Pass& pass) const {
@@ -180,11 +187,12 @@ void FrameGraph::run(const Resource& goal) {
 PassReport FrameGraph::step(const Pass& pass, bool needed) {
     using Status = PassReport::Status;
     if (!needed) return {.name = pass.name, .status = Status::culled};
-    Record now{pass.shader, pass.state, pass.writes, reads_now(pass), {}};
+    Record now{pass.shader, pass.state, pass.writes, reads_now(pass), {}, false};
     const auto last = records_.find(pass.name);
     const DrawList* empty = empty_list(pass);
     const std::string no_shapes = empty ? "no " + empty->name() : "";
-    if (last != records_.end() && last->second.same_input(now) && outputs_intact(pass))
+    if (last != records_.end() && last->second.same_input(now) && !last->second.output_lost &&
+        outputs_intact(pass))
         return {pass.name, empty ? Status::culled : Status::cached,
                 empty ? no_shapes : "no read moved", 0.0, last->second.note};
 

@@ -83,6 +83,7 @@ class FrameGraph {
         std::vector<Target> writes;
         std::vector<Read> reads;
         std::string note;
+        bool output_lost = false;
 
         bool same_input(const Record& other) const {
             return shader == other.shader && state == other.state && writes == other.writes &&

@@ -26,6 +26,10 @@ struct Shader {
     std::string vertex = {}, fragment = {}, compute = {};
     std::string technique = {};
     Defines defines = {};
+    // A second technique in the same shader: #include "camera/technique.glsl" means this one, all of
+    // whose names start with camera_, or u_camera_, t_camera_; its defines are given without that.
+    std::string camera_technique = {};
+    Defines camera_defines = {};
     auto operator<=>(const Shader&) const = default;
 };
 
@@ -40,7 +44,15 @@ struct Target {
 };
 
 enum class Depth { off, less, greater };
-enum class Blend { off, add };
+enum class Blend { off, add, over };  // over: premultiplied colours, the farthest first
+
+// Which primitives of each shape are drawn, in which order: as they are stored; the farthest from
+// the view first; or of a strand (else primitive) number modulo `parts` only those that are `part`.
+struct Selection {
+    bool back_to_front = false;
+    int part = 0, parts = 1;
+    bool operator==(const Selection&) const = default;
+};
 
 // Complete: nothing is inherited from the pass before.
 struct State {
@@ -48,6 +60,7 @@ struct State {
     Blend blend = Blend::off;
     float clear_depth = 1.f;
     float4 clear_color = {0.f, 0.f, 0.f, 0.f};
+    Selection selection = {};
     bool operator==(const State&) const = default;
 };
 
@@ -58,7 +71,9 @@ struct Pass {
     const View* view = nullptr;          // from where it draws them
     DrawList* only_with = nullptr;       // draws nothing, and is culled while this list is empty
     Reads reads = {};                    // textures, values, parameters, views, parts of shapes
+    Reads camera_reads = {};             // those of Shader::camera_technique, for its names
     std::vector<Target> writes = {};     // colour targets in MRT order; a depth texture anywhere
+    const Texture* tests = nullptr;      // depths that fragments are tested against, and that stay
     std::vector<Resource*> stores = {};  // images i_<name> and buffers b_<name> for the shader
     std::vector<Source*> values = {};    // CPU results such as the split ratio
     State state = {};
