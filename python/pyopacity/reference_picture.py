@@ -87,7 +87,9 @@ def picture_parts(
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise _arrays.wrong("size", size, "(width, height) in pixels")
     large = (_arrays.whole("size[0]", size[0]) * n, _arrays.whole("size[1]", size[1]) * n)
-    settings |= {"size": large, "antialiasing": 1, "technique": UNSHADOWED}
+    # One point a sample, and T in no other place than once in the picture.
+    fixed = {"antialiasing": 1, "technique": UNSHADOWED, "compositing": "opaque"}
+    settings |= {"size": large, **fixed, "shadow_intensity": 1.0}
     alone = Scene(scene.shapes)
     with Renderer(alone, camera, **settings) as renderer:
         dark = renderer.render()
@@ -128,7 +130,8 @@ def traced_picture(
     """The picture with ray-traced shadows: what every technique's picture is measured against.
 
     Args:
-        scene: as for :class:`pyopacity.Renderer`.
+        scene: as for :class:`pyopacity.Renderer`. What is translucent looks opaque, as with
+            ``compositing="opaque"``.
         camera: the default sees all of the scene.
         size: width and height in pixels.
         samples: n of n x n samples a pixel, 1 .. 8, each with a ray of its own. The renderer draws

@@ -133,6 +133,30 @@ class Renderer(HasParameters):
         with self._log_after():
             return self._engine.transmittance(points, index)
 
+    def image(self, name: str, light: int = 0) -> npt.NDArray[Any]:
+        """Another image of what the picture shows, top row first.
+
+        Args:
+            name: "coverage", how much of a pixel the shapes cover: the picture's alpha without its
+                background. Or, of the first strand or surface in the middle of each pixel:
+                "transmittance", the part of a light that arrives there, 1 where there is none;
+                "depth", its distance from the camera in world units, infinite where there is none;
+                "object_id", its index in ``scene.shapes``, -1 where there is none.
+            light: index into ``scene.lights``, for "transmittance".
+
+        Returns:
+            (H, W) float32; int32 for "object_id".
+
+        Raises:
+            ParameterError: another name; a light that is not there.
+            ContextError: as :meth:`render`.
+        """
+        if not isinstance(name, str):
+            raise _arrays.wrong("name", name, "the name of an image")
+        with self._log_after():
+            values = self._engine.image(name, _arrays.whole("light", light))
+        return values.astype(np.int32) if name == "object_id" else values
+
     def receivers(self) -> PictureReceivers:
         """The points at which the picture looks T up, one a pixel.
 

@@ -192,8 +192,9 @@ TEST_CASE("a shader edited on disk is drawn with at the next frame") {
     renderer.render();
     CHECK(row_of(renderer, "lighting").status == PassReport::Status::cached);
 
-    const std::string original = shaders.text("lighting.frag.glsl");
-    shaders.replace("lighting.frag.glsl", "vec4(color, 1.0)", "vec4(0.5 * color, 1.0)");
+    const std::string original = shaders.text("lib/samples.glsl");
+    shaders.replace("lib/samples.glsl", "vec4(samples_color, 1.0)",
+                    "vec4(0.5 * samples_color, 1.0)");
     const Image halved = renderer.render();
     CHECK(row_of(renderer, "lighting").status == PassReport::Status::ran);
     CHECK(contains(row_of(renderer, "lighting").why, "shaders"));
@@ -203,7 +204,7 @@ TEST_CASE("a shader edited on disk is drawn with at the next frame") {
     renderer.render();
     CHECK(row_of(renderer, "lighting").status == PassReport::Status::cached);
 
-    shaders.write("lighting.frag.glsl", original);
+    shaders.write("lib/samples.glsl", original);
     CHECK(same(renderer.render(), embedded));
 }
 
@@ -213,7 +214,7 @@ TEST_CASE("a shader broken on disk is an error with its place, until it is repai
     Renderer renderer = small_renderer(hairy_scene());
     const Image first = renderer.render();
     const std::pair<const char*, const char*> places[] = {
-        {"lighting.frag.glsl", "vec3 to_eye"},
+        {"lighting/surface.frag.glsl", "vec3 to_eye"},
         {"lib/shading.glsl", "float facing"},
         {"techniques/bounding_opacity_maps.glsl", "int layer = layer_of(x)"}};
     for (const auto& [file, text] : places) {

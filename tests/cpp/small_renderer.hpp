@@ -52,6 +52,7 @@ inline void make_small(Renderer& renderer) {
     renderer.set_size(40, 30);
     renderer.settings().map_size.assign(std::int64_t{32});
     renderer.settings().antialiasing.assign(std::int64_t{1});
+    renderer.settings().compositing.assign(std::string{"opaque"});
 }
 
 inline Renderer small_renderer(const std::shared_ptr<Scene>& scene,

@@ -117,7 +117,13 @@ def scene() -> po.Scene:
     return tuft_and_ball()
 
 
-SMALL: dict[str, Any] = {"size": (48, 32), "map_size": 64, "antialiasing": 1}
+# Opaque: what is translucent adds passes, which tests/python/test_compositing.py is about.
+SMALL: dict[str, Any] = {
+    "size": (48, 32),
+    "map_size": 64,
+    "antialiasing": 1,
+    "compositing": "opaque",
+}
 
 
 @pytest.fixture(name="small")

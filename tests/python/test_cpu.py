@@ -149,7 +149,8 @@ def test_needs_no_opengl(python: Callable[..., Any], tmp_path: pathlib.Path) -> 
     assert same
     status = dict(report)
     assert status.pop("transmittance") == "ran"
-    assert {status.pop("lighting"), status.pop("receivers")} == {"culled"}
+    for_pictures = ("lighting", "receivers", "first_surface")
+    assert {status.pop(name) for name in for_pictures} == {"culled"}
     assert set(status.values()) == {"cached"} and "bounding_opacity_maps/opacity" in status
     assert len(errors) == 3 and all('device="gpu"' in fix for fix in errors)
     assert text == "<Renderer: closed>"

@@ -19,7 +19,8 @@ def test_without_casters_it_is_the_unshadowed_picture(scene: po.Scene) -> None:
     for shape in scene.shapes:
         shape.casts = False
     camera = po.Camera.fit(scene.shapes[:2])
-    with po.Renderer(scene, camera, (48, 32), "unshadowed", antialiasing=3) as renderer:
+    options: dict[str, Any] = {"antialiasing": 3, "compositing": "opaque"}
+    with po.Renderer(scene, camera, (48, 32), "unshadowed", **options) as renderer:
         expected = renderer.render()
     assert np.abs(po.traced_picture(scene, camera, (48, 32), 3) - expected).max() < 1e-6
 
@@ -30,7 +31,7 @@ def test_with_a_techniques_own_light_it_is_its_picture(scene: po.Scene, techniqu
     scene.shapes[1].opacity = 0.6  # opaque, strands would see it where it is, and points moved back
     parts = picture_parts(scene, camera, (48, 32), 2)
     shadows = impersonal(technique, bias=0.05)  # points know no strand of their own
-    settings: dict[str, Any] = {"map_size": 64, "antialiasing": 2}
+    settings: dict[str, Any] = {"map_size": 64, "antialiasing": 2, "compositing": "opaque"}
     with po.Renderer(scene, camera, (48, 32), shadows, **settings) as renderer:
         T = renderer.transmittance(parts.points)
         assert np.abs(parts.shaded(T) - renderer.render()).max() < 1e-4
@@ -75,7 +76,7 @@ def test_lights_add_up_each_with_its_own_shadow(sheet: Callable[..., po.Mesh]) -
 def test_without_a_light_only_ambient_is_left(scene: po.Scene) -> None:
     camera = po.Camera.fit(scene.shapes[:2])
     scene.remove(scene.lights)
-    with po.Renderer(scene, camera, (24, 16), antialiasing=2) as renderer:
+    with po.Renderer(scene, camera, (24, 16), antialiasing=2, compositing="opaque") as renderer:
         expected = renderer.render()
     assert np.abs(po.traced_picture(scene, camera, (24, 16), 2) - expected).max() < 1e-6
 
@@ -86,7 +87,8 @@ def test_bias_and_progress_reach_the_rays(scene: po.Scene) -> None:
     automatic = po.traced_picture(scene, camera, (24, 16), 1, progress=told.append)
     assert told[-1] == 1.0
     far = po.traced_picture(scene, camera, (24, 16), 1, bias=100.0)
-    with po.Renderer(scene, camera, (24, 16), "unshadowed", antialiasing=1) as renderer:
+    options: dict[str, Any] = {"antialiasing": 1, "compositing": "opaque"}
+    with po.Renderer(scene, camera, (24, 16), "unshadowed", **options) as renderer:
         assert np.abs(far - renderer.render()).max() < 1e-6
     assert (automatic <= far + 1e-6).all() and (automatic < far - 0.01).any()
 

@@ -58,7 +58,9 @@ def test_questions_after_a_change_before_the_next_frame(needs_gl):
 @pytest.mark.parametrize("antialiasing", [1, 2])
 def test_every_texture_that_can_be_read_was_written(needs_gl, antialiasing):
     with po.Renderer(
-        hair_over_ball(), technique="exact", **(OPTIONS | {"antialiasing": antialiasing})
+        hair_over_ball(),
+        technique="exact",
+        **(OPTIONS | {"antialiasing": antialiasing, "compositing": "opaque"}),
     ) as r:
         image = r.render()
         assert np.array_equal(r.read("image"), image)
@@ -128,4 +130,4 @@ def test_the_least_change_of_the_background_is_a_change(needs_gl):
         r.render()
         r.background = (2e-8, 0, 0)
         assert r.render()[0, 0, 0] == np.float32(2e-8)
-        assert [row.why for row in r.report if row.name == "lighting"] == ["no shapes"]
+        assert [row.why for row in r.report if row.name == "lighting"] == ["no solids"]

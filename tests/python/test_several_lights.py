@@ -67,6 +67,7 @@ def test_skipped_equals_forced_with_several_lights(
     two_lights: po.Renderer, same: Callable[..., bool]
 ) -> None:
     third = po.DirectionalLight((0.1, 0.7, -0.5))
+    two_lights.render()
     changes: list[Callable[[], object]] = [
         lambda: two_lights.scene.add(third),
         lambda: setattr(third, "map_size", 33),

@@ -199,6 +199,7 @@ def change_settings(r: random.Random, renderer: po.Renderer) -> None:
     renderer.map_size = r.choice([16, 33, 64])
     renderer.size = r.choice([(48, 32), (31, 17)])
     renderer.antialiasing = r.choice([1, 2])
+    renderer.compositing = r.choice(["auto", "opaque", "subsets", "sorted", "exact"])
     renderer.background = (r.random(), r.random(), r.random(), r.choice([0.0, 1.0]))
 
 
@@ -251,7 +252,8 @@ def test_a_used_renderer_draws_what_a_new_one_does(
     for change in CHANGES:
         change(r, renderer)
         used = renderer.render()
-        settings = {name: getattr(renderer, name) for name in ("size", "map_size", "antialiasing")}
+        names = ("size", "map_size", "antialiasing", "compositing")
+        settings = {name: getattr(renderer, name) for name in names}
         with po.Renderer(
             renderer.scene,
             renderer.camera,

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "opacity/core/image.hpp"
@@ -30,6 +31,13 @@ struct RenderSettings : ParamOwner {
                             "Texels along each side of the light's maps; auto: from the width and "
                             "spacing of the strands, or from filter_width."};
     Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
+    Choice compositing{*this,
+                       "compositing",
+                       {"auto", "opaque", "subsets", "sorted", "exact", "maps"},
+                       "How what is translucent covers what lies behind it: opaque, as in the "
+                       "papers; subsets: the mean of three, each of a third of the strands; sorted "
+                       "by shape and primitive; exact: sorted lists; maps: without an order, by "
+                       "maps of the camera's own; auto: maps where anything is translucent."};
     Param<double> ambient{*this,
                           "ambient",
                           0.12,
@@ -37,6 +45,24 @@ struct RenderSettings : ParamOwner {
                           "Light from everywhere, unshadowed, as a factor of colour."};
     Param<double> specular{*this, "specular", 0.25, {0.0, 100.0}, "Strength of the highlight."};
     Param<double> shininess{*this, "shininess", 40.0, {1.0, 10000.0}, "Exponent of the highlight."};
+    Param<double> wrap{*this,
+                       "wrap",
+                       0.0,
+                       {0.0, 1.0},
+                       "How far light reaches around the edge of a surface's lit side."};
+    AutoParam<double> backlight{*this,
+                                "backlight",
+                                {0.0, 1.0},
+                                "Part of the light on a translucent surface that comes out on its "
+                                "other side; auto: it has no sides, only the maps darken it."};
+    Param<double> phase{*this,
+                        "phase",
+                        0.0,
+                        {-0.99, 0.99},
+                        "Mean cosine of scattering in particles and volumes; 0: to all sides, "
+                        "above: onward."};
+    Param<double> shadow_intensity{
+        *this, "shadow_intensity", 1.0, {0.0, 1.0}, "Part of the shadow that the picture shows."};
 };
 
 // An intermediate texture, read back: rows in texel order, the light's first row first.
@@ -83,6 +109,12 @@ class Renderer {
     std::vector<float> transmittance(const Positions& world_points, int light = 0);
     // At a shape's own points; the automatic bias is then that of its own strands.
     std::vector<float> transmittance(const Shape& shape, int light = 0);
+
+    // Width * height floats, top row first. "coverage": how much of a pixel the shapes cover, the
+    // picture's alpha without its background. Of the first strand or surface in the middle of each
+    // pixel: "transmittance", T of a light (1 where there is none); "depth", the distance from the
+    // eye in world units (infinite); "object_id", its index in the scene (-1).
+    std::vector<float> image(std::string_view name, int light = 0);
 
     // Of the picture that render() makes with antialiasing 1.
     PictureReceivers receivers();

@@ -57,6 +57,17 @@ py::array transmittance_of(Renderer& self, const Shape& shape, int light) {
     return ask(self, shape, light);
 }
 
+py::array image(Renderer& self, const std::string& name, int light) {
+    std::vector<float> values;
+    {
+        const py::gil_scoped_release release;
+        values = self.image(name, light);
+    }
+    check_signals();
+    const int width = self.settings().width.get(), height = self.settings().height.get();
+    return take<float, float>(std::move(values), {height, width});
+}
+
 // (points (H, W, 3), bias (H, W)).
 py::tuple receivers(Renderer& self) {
     PictureReceivers seen;
@@ -103,6 +114,7 @@ void bind_renderer(py::module_& module) {
         .def("render", &render, py::arg("out").noconvert())
         .def("transmittance", &transmittance)
         .def("transmittance_of", &transmittance_of)
+        .def("image", &image)
         .def("receivers", &receivers)
         .def("light_from_world",
              [](const Renderer& self, int light) {

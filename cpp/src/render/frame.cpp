@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/first_surfaces.hpp"
 #include "scene/texel_side.hpp"
 
 namespace opacity::render {
@@ -21,14 +22,20 @@ void Frame::fit_lights(const FrameInputs& inputs, const Box& query, std::size_t 
 
 Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query, std::size_t asked) {
     graph_.begin();  // first: the passes declared last refer to lights that may go
-    lists_.update(inputs.scene);
+    // Without shaders there are no pictures, and no use for more than one pass of them.
+    const Compositing compositing = device_.runs_shaders()
+                                        ? compositing_of(inputs.settings.compositing)
+                                        : Compositing::opaque;
+    lists_.update_casters(inputs.scene);
+    lists_.update_seen(inputs.scene, compositing, inputs.camera.eye());
     fit_lights(inputs, query, asked);
     device_.collect();
     for (const auto& light : lights_) light->add_passes(graph_, lists_);
     const PictureInputs picture{inputs.scene, inputs.camera, inputs.settings, inputs.background,
-                                lists_};
-    const Resource& image = picture_.add(graph_, picture, lights_);
-    return {image, picture_.add_receivers(graph_, picture)};
+                                lists_,       compositing,   lights_};
+    const Resource& image = picture_.add(graph_, picture);
+    first_surfaces_ = add_first_surfaces(graph_, picture, picture_.shading());
+    return {image, receivers_.add(graph_, picture, picture_.shading())};
 }
 
 void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
@@ -37,10 +44,19 @@ void Frame::render(const FrameInputs& inputs, std::span<float> rgba) {
     device_.read(goals.image, std::as_writable_bytes(rgba));
 }
 
+std::vector<float4> Frame::first_surfaces(const FrameInputs& inputs, std::size_t light) {
+    declare(inputs);
+    const Texture& surfaces = *first_surfaces_.at(light);
+    graph_.run(surfaces);
+    std::vector<float4> seen(std::size_t(surfaces.desc().width) * surfaces.desc().height);
+    device_.read(surfaces, std::as_writable_bytes(std::span{seen}));
+    return with_scene_indices(std::move(seen), lists_.surfaces, inputs.scene);
+}
+
 PictureReceivers Frame::receivers(const FrameInputs& inputs) {
     const Goals goals = declare(inputs);
     graph_.run(goals.receivers);
-    return picture_.receivers(device_);
+    return receivers_.read(device_);
 }
 
 std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Query& query,

@@ -9,6 +9,7 @@
 #include "opacity/renderer.hpp"
 #include "render/light_maps.hpp"
 #include "render/picture.hpp"
+#include "render/picture_receivers.hpp"
 #include "render/scene_lists.hpp"
 
 namespace opacity::render {
@@ -30,6 +31,9 @@ class Frame {
     std::vector<float> transmittance(const FrameInputs& inputs, const Query& query,
                                      std::size_t light);
     PictureReceivers receivers(const FrameInputs& inputs);
+    // In the middle of each pixel: T of a light, the distance from the eye, and the shape's index
+    // in the scene; -1, -1 where there is none.
+    std::vector<float4> first_surfaces(const FrameInputs& inputs, std::size_t light);
     FrameGraph& graph() { return graph_; }
     // As the last frame fitted it; identity for a light that it did not have.
     double4x4 light_from_world(std::size_t light) const;
@@ -49,7 +53,9 @@ class Frame {
     SceneLists lists_;
     std::vector<std::unique_ptr<LightMaps>> lights_;  // at least one, to be lit by nothing
     Picture picture_;
-    FrameGraph graph_;  // last: it frees its resources while the rest is alive
+    ReceiverPass receivers_;
+    std::vector<Texture*> first_surfaces_;  // of the last frame, one a light
+    FrameGraph graph_;                      // last: it frees its resources while the rest is alive
 };
 
 }  // namespace opacity::render

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gl/check.hpp"
+#include "gl/glsl_namespace.hpp"
 #include "opacity/core/error.hpp"
 #include "render/feed_shape.hpp"
 #include "render/program_feeder.hpp"
@@ -11,7 +12,8 @@ namespace opacity::render {
 
 namespace {
 
-constexpr GLenum face_clip_distances = 5;  // casters.vert.glsl
+constexpr GLenum face_clip_distances = 5;       // casters.vert.glsl
+constexpr const char* camera_space = "camera";  // Shader::camera_technique
 
 }  // namespace
 
@@ -33,6 +35,7 @@ unsigned internal_format(Format format) {
 GlDevice::GlDevice(std::shared_ptr<gl::Context> context)
     : context_{std::move(context)},
       shapes_{context_},
+      orders_{context_},
       framebuffer_{context_},
       vertex_array_{context_} {}
 
@@ -97,7 +100,11 @@ void GlDevice::bind_targets(const Pass& pass) {
             gl().NamedFramebufferTexture(fbo, attachment, drawn_texture(*target.texture), 0);
         note_size(desc);
     }
-    if (pass.writes.empty()) {  // the shader stores into images: the first one gives the size
+    if (pass.tests) {
+        gl().NamedFramebufferTexture(fbo, GL_DEPTH_ATTACHMENT, drawn_texture(*pass.tests), 0);
+        note_size(pass.tests->desc());
+    } else if (pass.writes
+                   .empty()) {  // the shader stores into images: the first one gives the size
         for (const Resource* store : pass.stores)
             if (const auto* texture = dynamic_cast<const Texture*>(store)) {
                 note_size(texture->desc());
@@ -121,10 +128,10 @@ void GlDevice::set_state(const Pass& pass) const {
     };
     toggle(GL_DEPTH_TEST, state.depth != Depth::off);
     gl().DepthFunc(state.depth == Depth::greater ? GL_GREATER : GL_LESS);
-    gl().DepthMask(GL_TRUE);
-    toggle(GL_BLEND, state.blend == Blend::add);
+    gl().DepthMask(pass.tests ? GL_FALSE : GL_TRUE);
+    toggle(GL_BLEND, state.blend != Blend::off);
     gl().BlendEquation(GL_FUNC_ADD);
-    gl().BlendFunc(GL_ONE, GL_ONE);
+    gl().BlendFunc(GL_ONE, state.blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     const bool through_faces = pass.view && pass.view->faces() > 0;
     for (GLenum plane = GL_CLIP_DISTANCE0; plane < GL_CLIP_DISTANCE0 + face_clip_distances; ++plane)
         toggle(plane, through_faces);
@@ -165,7 +172,13 @@ gl::Program& GlDevice::program(const Pass& pass, const Defines& shape_defines) {
     defines.insert(defines.end(), shape_defines.begin(), shape_defines.end());
     gl::Aliases aliases;
     if (!shader.technique.empty()) aliases["technique.glsl"] = shader.technique;
-    program = std::make_unique<gl::Program>(context_, library_, stages, defines, aliases);
+    const bool has_camera = !shader.camera_technique.empty();
+    const gl::Namespaces spaces{
+        {"camera/technique.glsl",
+         {camera_space, has_camera ? shader.camera_technique : "techniques/unshadowed.glsl"}}};
+    for (const auto& [name, value] : shader.camera_defines)
+        defines.emplace_back(gl::in_namespace(name, camera_space), value);
+    program = std::make_unique<gl::Program>(context_, library_, stages, defines, aliases, spaces);
     return *program;
 }
 
@@ -173,27 +186,33 @@ void GlDevice::draw(const Pass& pass) {
     bind_targets(pass);
     set_state(pass);
     gl().BindVertexArray(vertex_array_.name());
-    for (const ShapePtr& shape : pass.draws->shapes()) draw_shape(pass, shape);
+    int index = 0;
+    for (const ShapePtr& shape : pass.draws->shapes()) draw_shape(pass, shape, index++);
     gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     resolve(pass);
     gl::check_errors(*context_, "drawing pass " + pass.name);
 }
 
-void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape) {
+void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index) {
     const GpuShape& gpu = shapes_.upload(shape);
     if (gpu.index_count == 0) return;
     gl::Program& shader = program(pass, gpu.defines);
     ProgramFeeder feeder{*this, shader};
     feed_shape(feeder, pass, gpu);
+    feeder.uniform("u_shape_index", index);
     for (const Source* read : pass.reads) read->feed(feeder);
     if (pass.view) pass.view->feed(feeder);
+    feeder.set_space(camera_space);
+    for (const Source* read : pass.camera_reads) read->feed(feeder);
+    feeder.set_space("");
     for (const Resource* store : pass.stores) feeder.store(*store);
     feeder.require_complete(pass);
 
     gl().UseProgram(shader.name());
-    gl().VertexArrayElementBuffer(vertex_array_.name(), gpu.indices.object->name());
+    const Indices indices = orders_.indices(pass, shape, gpu);
+    gl().VertexArrayElementBuffer(vertex_array_.name(), indices.buffer);
     const int instances = std::max(1, pass.view->faces());
-    gl().DrawElementsInstanced(GL_TRIANGLES, gpu.index_count, GL_UNSIGNED_INT, nullptr, instances);
+    gl().DrawElementsInstanced(GL_TRIANGLES, indices.count, GL_UNSIGNED_INT, nullptr, instances);
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {

@@ -17,6 +17,7 @@
 #include "opacity/gl/context.hpp"
 #include "opacity/graph/device.hpp"
 #include "render/gpu_shapes.hpp"
+#include "render/primitive_orders.hpp"
 
 namespace opacity::render {
 
@@ -37,7 +38,10 @@ class GlDevice : public Device {
     void read(const Resource& resource, std::span<std::byte> content) override;
     void finish() override;
 
-    void collect() override { shapes_.collect(); }
+    void collect() override {
+        shapes_.collect();
+        orders_.collect();
+    }
 
    private:
     // The texture, and where it is oversampled the larger one that is drawn into.
@@ -52,7 +56,8 @@ class GlDevice : public Device {
     // into.
     void bind_targets(const Pass& pass);
     void set_state(const Pass& pass) const;
-    void draw_shape(const Pass& pass, const ShapePtr& shape);
+    // `index` in the pass's list.
+    void draw_shape(const Pass& pass, const ShapePtr& shape, int index);
     void resolve(const Pass& pass);
     unsigned drawn_texture(const Texture& texture) const;
     const GladGLContext& gl() const { return context_->gl(); }
@@ -60,6 +65,7 @@ class GlDevice : public Device {
     std::shared_ptr<gl::Context> context_;
     gl::ShaderLibrary library_;
     GpuShapes shapes_;
+    PrimitiveOrders orders_;
     std::map<std::string, Image> images_;  // by the resource's name
     std::map<std::string, gl::Buffer> buffers_;
     // By shader and kind of shape; those of an older revision of the shaders are gone.

@@ -21,8 +21,8 @@ gl::Buffer make_buffer(const std::shared_ptr<gl::Context>& context, const std::v
 
 gl::Texture make_texture(const std::shared_ptr<gl::Context>& context, GLenum format,
                          const std::vector<TextureMap>& levels) {
-    gl::Texture texture{context, GL_TEXTURE_2D, format, levels[0].width, levels[0].height, 1,
-                        int(levels.size())};
+    gl::Texture texture{context, GL_TEXTURE_2D,     format, levels[0].width, levels[0].height,
+                        1,       int(levels.size())};
     for (std::size_t level = 0; level < levels.size(); ++level)
         texture.write(std::as_bytes(std::span{levels[level].values}), int(level));
     texture.set_filter(GL_LINEAR);
@@ -169,7 +169,8 @@ void GpuShapes::upload_volume(GpuShape& gpu, const Volume& volume) {
     if (gpu.slabs.revision == now) return;
     const std::vector<Slab> slabs = slabs_of(volume);
     gpu.index_count = int(6 * faces(slabs));
-    refresh(gpu.slabs, Part::slabs, now, [&] { return make_buffer(context_, slab_corners(slabs)); });
+    refresh(gpu.slabs, Part::slabs, now,
+            [&] { return make_buffer(context_, slab_corners(slabs)); });
     refresh(gpu.indices, Part::indices, now,
             [&] { return make_buffer(context_, quad_triangles(faces(slabs))); });
 }
@@ -189,6 +190,7 @@ void GpuShapes::upload_appearance(GpuShape& gpu, const Shape& shape) {
         gpu.color_map = {};
         return;
     }
+    gpu.defines.emplace_back("COLOR_MAP", "1");
     refresh(gpu.color_map, Part::color_map, shape.revisions().color, [&] {
         return make_texture(context_, GL_RGBA32F,
                             texture_levels(with_fourth_channel(*mesh->color_map())));

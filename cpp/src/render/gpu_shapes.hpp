@@ -28,10 +28,10 @@ struct GpuShape {
     double3 origin{};  // what was subtracted from the points, in float64
     // Points: xyz and a strand's width or a particle's radius.
     GpuBuffer points, segments, indices, normals, uvs, opacity, color;
-    GpuBuffer slabs;                // of a volume: map/volume_slabs.hpp
-    GpuTexture alpha, color_map;    // of a mesh, with levels; coverage in place of alpha
-    GpuTexture extinction;          // of a volume, x first
-    Defines defines;                // STRANDS, MESH, PARTICLES or VOLUME; ALPHA_MAP
+    GpuBuffer slabs;              // of a volume: map/volume_slabs.hpp
+    GpuTexture alpha, color_map;  // of a mesh, with levels; coverage in place of alpha
+    GpuTexture extinction;        // of a volume, x first
+    Defines defines;              // STRANDS, MESH, PARTICLES or VOLUME; ALPHA_MAP
     int segment_count = 0, index_count = 0;
     int opacity_stride = 0, color_stride = 0;
     // Copied while the shape is locked, so that another thread may move it meanwhile.

@@ -1,51 +1,11 @@
 #include "render/picture.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <optional>
-
-#include "render/lamp.hpp"
-#include "scene/bias.hpp"
 
 namespace opacity::render {
 namespace {
 
-using Lights = std::span<const std::unique_ptr<LightMaps>>;
-
-// Reversed and without a far plane: depth is near / distance, which float32 resolves over any
-// range. Rows go down, so that the first row read back is the top of the picture.
-std::vector<float> clip_from_view(const Camera& camera, double aspect, double near) {
-    const double focal = 1.0 / std::tan(camera.fov_deg() * std::numbers::pi / 360.0);
-    std::vector<float> columns(16, 0.f);
-    columns[0] = float(focal / aspect);
-    columns[5] = float(-focal);
-    columns[11] = -1.f;
-    columns[14] = float(near);
-    return columns;
-}
-
-// Depth is as precise for a near plane this close, and what a scene of this size holds is all
-// behind it.
-double near_distance(const Scene& scene) {
-    return 1e-6 * std::max(scene.bounds().radius(), 1e-20);
-}
-
-// The rotation of a rigid matrix, by columns.
-std::vector<float> rotation_of(const double4x4& m) {
-    return {float(m[0]), float(m[4]), float(m[8]), float(m[1]), float(m[5]),
-            float(m[9]), float(m[2]), float(m[6]), float(m[10])};
-}
-
-// The scene about its middle, in radii of it.
-double4x4 neutral_from_world(const Scene& scene) {
-    const Box bounds = scene.bounds();
-    if (bounds.empty()) return identity;
-    const double scale = 1.0 / std::max(bounds.radius(), 1e-30);
-    const double3 c = bounds.center();
-    return {scale, 0, 0,     -scale * c[0], 0, scale, 0, -scale * c[1],
-            0,     0, scale, -scale * c[2], 0, 0,     0, 1};
-}
+constexpr int subset_count = 3;  // Yuksel and Keyser 2008, section 4
 
 TextureDesc picture_desc(const RenderSettings& settings) {
     return {.format = Format::rgba32f,
@@ -54,139 +14,171 @@ TextureDesc picture_desc(const RenderSettings& settings) {
             .oversampling = settings.antialiasing.get()};
 }
 
-// A layer of single samples for each light.
-TextureDesc sample_layers(const RenderSettings& settings, std::size_t lights) {
+// Single samples: what covers a sample in part has no mean before it is put together.
+TextureDesc sample_desc(const RenderSettings& settings, Format format, std::size_t layers) {
     const int n = settings.antialiasing.get();
-    return {.format = Format::rgba32f,
+    return {.format = format,
             .width = n * settings.width.get(),
             .height = n * settings.height.get(),
-            .layers = int(lights)};
+            .layers = int(layers)};
 }
 
 float4 premultiplied(const float4& b) {
     return {b[0] * b[3], b[1] * b[3], b[2] * b[3], b[3]};
 }
 
-const Light* light_of(const Scene& scene, std::size_t index) {
-    return index < scene.lights().size() ? scene.lights()[index].get() : nullptr;
+Pass before_solids(Pass pass, const Texture& solid_depth) {
+    pass.reads.push_back(&solid_depth);
+    pass.shader.defines.emplace_back("READS_SOLID_DEPTH", "1");
+    return pass;
 }
 
 }  // namespace
 
-Picture::Lamp::Lamp(const std::string& scope)
-    : color{scope.empty() ? "light_color" : scope + "/light_color"}, ambient{"no ambient light"} {
-    ambient.update({{"u_ambient", 0.f}});
+Compositing compositing_of(const Choice& setting) {
+    if (setting.is("opaque")) return Compositing::opaque;
+    if (setting.is("subsets")) return Compositing::subsets;
+    if (setting.is("sorted")) return Compositing::sorted;
+    return setting.is("exact") ? Compositing::exact : Compositing::maps;
 }
 
-void Picture::update(const PictureInputs& inputs, Lights lights) {
-    const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
-    const double4x4 view = inputs.camera.view_from_world();
-    const std::vector<float> projection =
-        clip_from_view(inputs.camera, aspect, near_distance(inputs.scene));
-    camera_.update(
-        view, {{"u_camera_clip_from_view", projection}, {"u_camera_rotation", rotation_of(view)}});
-    while (lamps_.size() > lights.size()) lamps_.pop_back();
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        if (i == lamps_.size()) lamps_.emplace_back(lights[i]->scope());
-        lamps_[i].color.update(lamp_uniforms(light_of(inputs.scene, i), view));
-    }
-}
-
-const Resource& Picture::add(FrameGraph& graph, const PictureInputs& inputs, Lights lights) {
-    update(inputs, lights);
+const Resource& Picture::add(FrameGraph& graph, const PictureInputs& inputs) {
+    shading_.update(inputs);
+    const SceneLists& lists = inputs.lists;
+    const std::size_t lights = inputs.lights.size();
     Texture& image = graph.texture("image", picture_desc(inputs.settings));
-    if (lights.size() == 1) {
-        add_lighting(graph, inputs, *lights[0], 0, &image);
+    const bool all_solid = lists.parted.shapes().empty() && lists.blended.shapes().empty();
+    if (all_solid && lights == 1) {
+        add_solids(graph, inputs, 0, &image);
         return image;
     }
-    Texture& lit = graph.texture("lit", sample_layers(inputs.settings, lights.size()));
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        add_lighting(graph, inputs, *lights[i], i, {&lit, int(i)});
-    add_composition(graph, lit, image);
+    Texture& lit = graph.texture("lit", sample_desc(inputs.settings, Format::rgba32f, lights));
+    for (std::size_t i = 0; i < lights; ++i) add_solids(graph, inputs, i, {&lit, int(i)});
+    Layers layers{{&lit}, {}};
+    if (!all_solid) {
+        const Texture& solid_depth = add_solid_depth(graph, inputs);
+        if (!lists.parted.shapes().empty()) add_parts(graph, inputs, solid_depth, layers);
+        if (!lists.blended.shapes().empty()) add_blended(graph, inputs, solid_depth, layers);
+    }
+    add_composition(graph, std::move(layers), image);
     return image;
 }
 
-void Picture::add_lighting(FrameGraph& graph, const PictureInputs& inputs, const LightMaps& maps,
-                           std::size_t light, const Target& target) {
-    std::optional<FrameGraph::Scope> scope;
-    if (!maps.scope().empty()) scope.emplace(graph, maps.scope());
+void Picture::add_solids(FrameGraph& graph, const PictureInputs& inputs, std::size_t light,
+                         const Target& target) const {
+    const LightScope scope{graph, inputs, light};
     TextureDesc desc = target.texture->desc();
     desc.format = Format::depth32f;
     desc.layers = 0;
     Texture& depth = graph.texture("camera_depth", desc);
-    const ShadowLookUp& look_up = maps.look_up();
-    const RenderSettings& settings = inputs.settings;
-    const DrawList& visible = inputs.lists.visible;
-    Reads reads = look_up.reads;
-    Defines defines = look_up.defines;
-    for (auto& define : lamp_defines(light_of(inputs.scene, light))) defines.push_back(define);
-    if (look_up.own_correction) {
-        reads.push_back(&visible.opacity);
-        defines.emplace_back("OWN_CORRECTION", "1");
-    }
-    const Source& ambient =
-        light == 0 ? static_cast<const Source&>(settings.ambient) : lamps_[light].ambient;
-    reads.insert(reads.end(), {&visible.color, &lamps_[light].color, &ambient, &settings.specular,
-                               &settings.shininess});
-    graph.add({.name = "lighting",
-               .shader = {.vertex = "lighting.vert.glsl",
-                          .fragment = "lighting.frag.glsl",
-                          .technique = look_up.shader,
-                          .defines = std::move(defines)},
-               .draws = &inputs.lists.visible,
-               .view = &camera_,
-               .reads = std::move(reads),
-               .writes = {target, &depth},
-               .state = {.depth = Depth::greater,
-                         .clear_depth = 0.f,
-                         .clear_color = light == 0 ? premultiplied(inputs.background) : float4{}}});
+    Pass pass = shading_.pass("lighting", inputs, light, inputs.lists.solid, false);
+    pass.writes = {target, &depth};
+    pass.state = {.depth = Depth::greater,
+                  .clear_depth = 0.f,
+                  .clear_color = light == 0 ? premultiplied(inputs.background) : float4{}};
+    graph.add(std::move(pass));
 }
 
-void Picture::add_composition(FrameGraph& graph, Texture& lit, Texture& image) {
+// Apart from the lights, so that what is tested against it stays when one of them changes.
+Texture& Picture::add_solid_depth(FrameGraph& graph, const PictureInputs& inputs) const {
+    Texture& depth =
+        graph.texture("solid_depth", sample_desc(inputs.settings, Format::depth32f, 0));
+    Pass pass = shading_.unlit_pass("solid_depth", "solid.frag.glsl", inputs.lists.solid);
+    pass.writes = {&depth};
+    pass.state = {.depth = Depth::greater, .clear_depth = 0.f};
+    graph.add(std::move(pass));
+    return depth;
+}
+
+// Each part is drawn as if opaque, and as if the others were not there.
+void Picture::add_parts(FrameGraph& graph, const PictureInputs& inputs, const Texture& solid_depth,
+                        Layers& layers) const {
+    const std::size_t lights = inputs.lights.size();
+    Texture& parts = graph.texture(
+        "parts", sample_desc(inputs.settings, Format::rgba32f, subset_count * lights));
+    for (std::size_t light = 0; light < lights; ++light) {
+        const LightScope scope{graph, inputs, light};
+        for (int part = 0; part < subset_count; ++part) {
+            const std::string name = "subset_" + std::to_string(part + 1);
+            Texture& depth =
+                graph.texture(name + "_depth", sample_desc(inputs.settings, Format::depth32f, 0));
+            Pass pass = before_solids(shading_.pass(name, inputs, light, inputs.lists.parted, false,
+                                                    {{"BEFORE_SOLIDS", "1"}}),
+                                      solid_depth);
+            pass.writes = {{&parts, int(light) * subset_count + part}, &depth};
+            pass.state = {.depth = Depth::greater,
+                          .clear_depth = 0.f,
+                          .selection = {.part = part, .parts = subset_count}};
+            graph.add(std::move(pass));
+        }
+    }
+    layers.reads.push_back(&parts);
+    layers.defines.emplace_back("PARTS", std::to_string(subset_count));
+}
+
+void Picture::add_blended(FrameGraph& graph, const PictureInputs& inputs,
+                          const Texture& solid_depth, Layers& layers) {
+    const std::size_t lights = inputs.lights.size();
+    if (inputs.compositing == Compositing::maps)
+        return add_weighted(graph, inputs, solid_depth, layers);
+    Texture& over = graph.texture("over", sample_desc(inputs.settings, Format::rgba32f, lights));
+    if (inputs.compositing == Compositing::exact)
+        lists_.add(graph, inputs, shading_, solid_depth, over);
+    else
+        add_sorted(graph, inputs, solid_depth, over);
+    layers.reads.push_back(&over);
+    layers.defines.emplace_back("OVER", "1");
+}
+
+void Picture::add_sorted(FrameGraph& graph, const PictureInputs& inputs, const Texture& solid_depth,
+                         Texture& over) const {
+    for (std::size_t light = 0; light < inputs.lights.size(); ++light) {
+        const LightScope scope{graph, inputs, light};
+        Pass pass = before_solids(shading_.pass("translucent", inputs, light, inputs.lists.blended,
+                                                true, {{"BLENDED", "1"}}),
+                                  solid_depth);
+        pass.writes = {{&over, int(light)}};
+        pass.tests = &solid_depth;
+        pass.state = {
+            .depth = Depth::greater, .blend = Blend::over, .selection = {.back_to_front = true}};
+        graph.add(std::move(pass));
+    }
+}
+
+void Picture::add_weighted(FrameGraph& graph, const PictureInputs& inputs,
+                           const Texture& solid_depth, Layers& layers) {
+    const std::size_t lights = inputs.lights.size();
+    maps_.add(graph, inputs);
+    Texture& weighted =
+        graph.texture("weighted", sample_desc(inputs.settings, Format::rgba32f, lights));
+    Texture& optical_depth =
+        graph.texture("optical_depth", sample_desc(inputs.settings, Format::r32f, 0));
+    for (std::size_t light = 0; light < lights; ++light) {
+        const LightScope scope{graph, inputs, light};
+        Defines defines{{"WEIGHTED", "1"}};
+        if (light == 0) defines.emplace_back("WRITES_OPTICAL_DEPTH", "1");
+        Pass pass = before_solids(shading_.pass("translucent", inputs, light, inputs.lists.blended,
+                                                true, std::move(defines)),
+                                  solid_depth);
+        maps_.add_look_up(pass);
+        pass.writes = {{&weighted, int(light)}};
+        if (light == 0) pass.writes.emplace_back(&optical_depth);
+        pass.tests = &solid_depth;
+        pass.state = {.depth = Depth::greater, .blend = Blend::add};
+        graph.add(std::move(pass));
+    }
+    layers.reads.insert(layers.reads.end(), {&weighted, &optical_depth});
+    layers.defines.emplace_back("WEIGHTED", "1");
+}
+
+void Picture::add_composition(FrameGraph& graph, Layers layers, Texture& image) {
     graph.add({.name = "composition",
-               .shader = {.compute = "compose.comp.glsl"},
-               .reads = {&lit},
+               .shader = {.compute = "compose.comp.glsl", .defines = std::move(layers.defines)},
+               .reads = std::move(layers.reads),
                .stores = {&image},
                .execute = [&image](PassContext& context) {
                    context.dispatch(image.desc().width * image.desc().height);
                }});
-}
-
-const Resource& Picture::add_receivers(FrameGraph& graph, const PictureInputs& inputs) {
-    neutral_.update(neutral_from_world(inputs.scene),
-                    {{"u_light_least_bias", float(least_bias(inputs.scene))}});
-    TextureDesc desc = picture_desc(inputs.settings);
-    desc.oversampling = 1;
-    receivers_ = &graph.texture("receivers", desc);
-    desc.format = Format::depth32f;
-    Texture& depth = graph.texture("receivers_depth", desc);
-    graph.add(
-        {.name = "receivers",
-         .shader = {.vertex = "lighting.vert.glsl", .fragment = "receivers.frag.glsl"},
-         .draws = &inputs.lists.visible,
-         .view = &camera_,
-         .reads = {&neutral_, &inputs.lists.visible.color},
-         .writes = {receivers_, &depth},
-         .state = {.depth = Depth::greater, .clear_depth = 0.f, .clear_color = {0, 0, 0, -2}}});
-    return *receivers_;
-}
-
-PictureReceivers Picture::receivers(Device& device) const {
-    PictureReceivers result{receivers_->desc().width, receivers_->desc().height, {}, {}};
-    const std::size_t count = std::size_t(result.width) * result.height;
-    std::vector<float> points(4 * count);
-    device.read(*receivers_, std::as_writable_bytes(std::span{points}));
-    const double4x4& m = neutral_.from_world();
-    result.points_ws.reserve(3 * count);
-    result.bias.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float* p = &points[4 * i];
-        const bool is_seen = p[3] > -1.5f;
-        for (int axis = 0; axis < 3; ++axis)
-            result.points_ws.push_back(is_seen ? (p[axis] - m[4 * axis + 3]) / m[0] : 0.0);
-        result.bias.push_back(p[3]);
-    }
-    return result;
 }
 
 }  // namespace opacity::render

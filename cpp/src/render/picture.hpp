@@ -1,47 +1,45 @@
-// The picture: what the camera sees of the shapes, lit through the maps of every light.
+// The picture: what the camera sees of the shapes, lit through the maps of every light, and how the
+// translucent ones cover what lies behind them.
 #pragma once
 
-#include <deque>
-#include <span>
-
-#include "opacity/renderer.hpp"
-#include "render/light_maps.hpp"
+#include "render/camera_maps.hpp"
+#include "render/fragment_lists.hpp"
+#include "render/shading.hpp"
 
 namespace opacity::render {
 
-struct PictureInputs {
-    const Scene& scene;
-    const Camera& camera;
-    const RenderSettings& settings;
-    const float4& background;
-    SceneLists& lists;
-};
+// What a setting means; auto: maps, which cost nothing where there is nothing to see through.
+Compositing compositing_of(const Choice& setting);
 
 class Picture {
    public:
-    // Declares the passes: one a light, and with several one that adds them up. Returns the goal.
-    const Resource& add(FrameGraph& graph, const PictureInputs& inputs,
-                        std::span<const std::unique_ptr<LightMaps>> lights);
-
-    // Where the picture asks for T, in a frame of the scene's own; read only on request.
-    const Resource& add_receivers(FrameGraph& graph, const PictureInputs& inputs);
-    PictureReceivers receivers(Device& device) const;
+    // Declares the passes. With one light and nothing to see through it is a single one; else what
+    // each light adds to each kind of shape, sample by sample, and a pass that puts it together.
+    const Resource& add(FrameGraph& graph, const PictureInputs& inputs);
+    const Shading& shading() const { return shading_; }
 
    private:
-    // Of one light: shading takes a light as it is, and ambient light once.
-    struct Lamp {
-        explicit Lamp(const std::string& scope);
-        UniformSet color, ambient;
+    // What the last pass puts together.
+    struct Layers {
+        Reads reads;
+        Defines defines;
     };
-    void update(const PictureInputs& inputs, std::span<const std::unique_ptr<LightMaps>> lights);
-    void add_lighting(FrameGraph& graph, const PictureInputs& inputs, const LightMaps& maps,
-                      std::size_t light, const Target& target);
-    void add_composition(FrameGraph& graph, Texture& lit, Texture& image);
+    void add_solids(FrameGraph& graph, const PictureInputs& inputs, std::size_t light,
+                    const Target& target) const;
+    Texture& add_solid_depth(FrameGraph& graph, const PictureInputs& inputs) const;
+    void add_parts(FrameGraph& graph, const PictureInputs& inputs, const Texture& solid_depth,
+                   Layers& layers) const;
+    void add_blended(FrameGraph& graph, const PictureInputs& inputs, const Texture& solid_depth,
+                     Layers& layers);
+    void add_sorted(FrameGraph& graph, const PictureInputs& inputs, const Texture& solid_depth,
+                    Texture& over) const;
+    void add_weighted(FrameGraph& graph, const PictureInputs& inputs, const Texture& solid_depth,
+                      Layers& layers);
+    static void add_composition(FrameGraph& graph, Layers layers, Texture& image);
 
-    View camera_{"camera"};
-    std::deque<Lamp> lamps_;  // one a light, at least one
-    View neutral_{"light"};   // stands for a light's where none is asked
-    Texture* receivers_ = nullptr;
+    Shading shading_;
+    FragmentLists lists_;
+    CameraMaps maps_;
 };
 
 }  // namespace opacity::render

@@ -1,14 +1,19 @@
 #include "render/program_feeder.hpp"
 
+#include "gl/glsl_namespace.hpp"
 #include "opacity/core/error.hpp"
 #include "render/gl_device.hpp"
 
 namespace opacity::render {
 
+std::string ProgramFeeder::fed(std::string_view name) {
+    std::string full = space_.empty() ? std::string{name} : gl::in_namespace(name, space_);
+    fed_.insert(full);
+    return full;
+}
+
 void ProgramFeeder::uniform(std::string_view name, const UniformValue& value) {
-    const std::string text{name};
-    fed_.insert(text);
-    program_.set(text, value);
+    program_.set(fed(name), value);
 }
 
 void ProgramFeeder::resource(const Resource& resource) {
@@ -20,8 +25,7 @@ void ProgramFeeder::resource(const Resource& resource) {
 }
 
 void ProgramFeeder::texture(const std::string& name, unsigned texture) {
-    const std::string sampler = "t_" + name;
-    fed_.insert(sampler);
+    const std::string sampler = fed("t_" + name);
     if (const auto unit = program_.sampler(sampler))
         device_.gl().BindTextureUnit(GLuint(*unit), texture);
 }
@@ -32,8 +36,7 @@ void ProgramFeeder::store(const Resource& resource) {
         return;
     }
     const auto& texture = dynamic_cast<const Texture&>(resource);
-    const std::string name = "i_" + resource.shader_name();
-    fed_.insert(name);
+    const std::string name = fed("i_" + resource.shader_name());
     if (const auto unit = program_.image(name))
         device_.gl().BindImageTexture(
             GLuint(*unit), device_.images_.at(resource.name()).texture.name(), 0, GL_TRUE, 0,
@@ -41,8 +44,7 @@ void ProgramFeeder::store(const Resource& resource) {
 }
 
 void ProgramFeeder::buffer(const std::string& name, unsigned buffer) {
-    const std::string block = "b_" + name;
-    fed_.insert(block);
+    const std::string block = fed("b_" + name);
     if (const auto binding = program_.block(block))
         device_.gl().BindBufferBase(GL_SHADER_STORAGE_BUFFER, GLuint(*binding), buffer);
 }

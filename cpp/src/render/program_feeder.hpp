@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "gl/program.hpp"
 #include "opacity/graph/pass.hpp"
@@ -18,6 +19,8 @@ class ProgramFeeder : public Feeder {
     ProgramFeeder(const GlDevice& device, gl::Program& program)
         : device_{device}, program_{program} {}
 
+    // What is fed from now on is meant for names in a namespace of the shader; empty: in none.
+    void set_space(std::string space) { space_ = std::move(space); }
     void uniform(std::string_view name, const UniformValue& value) override;
     void resource(const Resource& resource) override;
     // A texture that the pass writes as an image, or a buffer.
@@ -30,8 +33,12 @@ class ProgramFeeder : public Feeder {
     void require_complete(const Pass& pass) const;
 
    private:
+    // The name as it stands in the program; noted as fed.
+    std::string fed(std::string_view name);
+
     const GlDevice& device_;
     gl::Program& program_;
+    std::string space_;
     std::set<std::string> fed_;
 };
 

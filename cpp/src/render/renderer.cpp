@@ -1,8 +1,10 @@
 #include "opacity/renderer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "opacity/core/error.hpp"
@@ -65,6 +67,35 @@ struct Renderer::Impl {
     std::vector<float> transmittance(const Query& query, int light) {
         const Turn now = turn();
         return frame->transmittance(inputs(), query, std::size_t(light));
+    }
+
+    std::vector<float> coverage() {
+        check_size(settings.antialiasing.get());
+        std::vector<float> rgba(std::size_t(4) * settings.width.get() * settings.height.get());
+        const float4 nothing{};
+        frame->render({*scene, camera, technique, settings, nothing}, rgba);
+        std::vector<float> alpha(rgba.size() / 4);
+        for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = rgba[4 * i + 3];
+        return alpha;
+    }
+
+    std::vector<float> first_surfaces(std::string_view name, int light) {
+        constexpr std::array<std::string_view, 3> channels{"transmittance", "depth", "object_id"};
+        const auto channel = std::find(channels.begin(), channels.end(), name);
+        if (channel == channels.end())
+            throw ParameterError(
+                "there is no image \"" + std::string{name} + "\"",
+                "choose \"transmittance\", \"depth\", \"coverage\" or \"object_id\"");
+        check_size(1);
+        const std::vector<float4> seen = frame->first_surfaces(inputs(), std::size_t(light));
+        std::vector<float> values;
+        values.reserve(seen.size());
+        for (const float4& s : seen) {
+            const bool is_nothing = name == "depth" && s[2] < 0.f;
+            values.push_back(is_nothing ? std::numeric_limits<float>::infinity()
+                                        : s[std::size_t(channel - channels.begin())]);
+        }
+        return values;
     }
 
     // The picture is drawn oversampled: both together must fit a texture.
@@ -179,6 +210,12 @@ std::vector<float> Renderer::transmittance(const Positions& world_points, int li
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
     impl_->check_light(light);
     return impl_->transmittance(Query::at(shape, *impl_->scene), light);
+}
+
+std::vector<float> Renderer::image(std::string_view name, int light) {
+    const gl::Context::Use use{impl_->require_context()};
+    impl_->check_light(light);
+    return name == "coverage" ? impl_->coverage() : impl_->first_surfaces(name, light);
 }
 
 PictureReceivers Renderer::receivers() {

@@ -1,17 +1,29 @@
 // Which shapes each kind of pass draws.
 #pragma once
 
+#include <string_view>
+
 #include "opacity/graph/draw_list.hpp"
 #include "opacity/scene/scene.hpp"
 
 namespace opacity::render {
 
+// How the camera sees what is translucent: the words of RenderSettings::compositing, but auto.
+enum class Compositing { opaque, subsets, sorted, exact, maps };
+
 struct SceneLists {
+    // What a light sees.
     DrawList translucent{"translucent casters"};
     DrawList opaque{"opaque casters"};
-    DrawList visible{"shapes"};
+    // What the camera sees: all that has a surface; and all shapes, each in one of three.
+    DrawList surfaces{"surfaces"};
+    DrawList solid{"solids"};          // drawn as if opaque
+    DrawList parted{"parted shapes"};  // drawn as if opaque, in subsets
+    DrawList blended{"translucent shapes"};
 
-    void update(const Scene& scene);
+    void update_casters(const Scene& scene);
+    // The blended ones in an order have the farthest first.
+    void update_seen(const Scene& scene, Compositing compositing, const double3& eye);
 };
 
 }  // namespace opacity::render

@@ -13,7 +13,7 @@ from pyopacity.comparison import Plan, Variant, available_device, compare
 from pyopacity.comparison.results import Results
 
 # Of the renderer's settings, what the comparison itself decides.
-_WITHOUT = ("map_size", "antialiasing")
+_WITHOUT = ("map_size", "antialiasing", "compositing")
 
 
 def add_to(commands: Any) -> None:

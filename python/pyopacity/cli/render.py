@@ -12,6 +12,8 @@ from pyopacity._files import whole_file
 from pyopacity.cli import scene_options, text
 from pyopacity.image import check_folder, check_path
 
+_OUTPUTS = ("transmittance", "depth", "coverage", "object_id")
+
 
 def add_to(commands: Any) -> None:
     """The command's options."""
@@ -20,6 +22,11 @@ def add_to(commands: Any) -> None:
     add("-o", "--output", required=True, metavar="PICTURE", help="the picture: .png or .npy")
     scene_options.add_light_and_view(add)
     add("--size", metavar="WxH", help="pixels of the picture (default: 1024x768)")
+    add(
+        "--outputs",
+        metavar="NAME,...",
+        help=f"arrays beside the picture, as PICTURE.NAME.npy: {', '.join(_OUTPUTS)}",
+    )
     add("--technique", default="bounding_opacity_maps", metavar="NAME", help="the shadow method")
     scene_options.add_parameters(add)
     scene_options.add_strands(add)
@@ -33,6 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
     output = check_path(arguments.output)
     if arguments.report not in (None, "-"):
         check_folder(pathlib.Path(arguments.report))
+    outputs = _outputs(arguments.outputs)
     technique = po.technique(arguments.technique, **text.assignments("--param", arguments.param))
     options = scene_options.settings(arguments)
     if arguments.size is not None:
@@ -50,9 +58,23 @@ def run(arguments: argparse.Namespace) -> int:
         po.save_image(output, picture)
         record = _record(renderer, output, seconds)
         table = str(renderer.report)
+        for name in outputs:
+            po.save_image(output.with_suffix(f".{name}.npy"), renderer.image(name))
     text.clear_progress()
     _tell(arguments, record, table)
     return 0
+
+
+def _outputs(given: str | None) -> list[str]:
+    """What ``--outputs`` asks for, checked before anything is loaded."""
+    names = [] if given is None else given.split(",")
+    for name in names:
+        if name not in _OUTPUTS:
+            raise po.ParameterError(
+                f'--outputs {given}: there is no image "{name}"',
+                f"choose from {', '.join(_OUTPUTS)}",
+            )
+    return names
 
 
 def _tell(arguments: argparse.Namespace, record: dict[str, Any], table: str) -> None:

@@ -98,7 +98,12 @@ def compare(
         raise ParameterError("the scene has 0 lights", "add one")
     variants = plan.variants()
     receivers = sample_receivers(scene, plan.receivers, plan.seed)
-    settings = {**plan.settings, "size": plan.image_size, "antialiasing": plan.image_samples}
+    settings = {
+        **plan.settings,
+        "size": plan.image_size,
+        "antialiasing": plan.image_samples,
+        "compositing": "opaque",  # as in traced pictures
+    }
     with Renderer(scene, camera, device=plan.device, **settings) as renderer:
         truth = Truth(scene, camera, plan, receivers, progress)
         bench = _Bench(plan, renderer, receivers, truth, DepthReference(receivers))

@@ -55,6 +55,7 @@ class Shape {
     // opacity is 0 everywhere casts nothing.
     virtual bool opaque() const = 0;
     virtual bool invisible_to_light() const;
+    float min_opacity() const { return min_opacity_; }  // of all points
     // Whether it keeps light from anything.
     bool is_caster() const { return casts_ && !invisible_to_light() && points_.size() > 0; }
     // Mean width of its strands in world units, which the automatic bias goes by; 0 for a surface.

@@ -1,0 +1,2 @@
+// Depths alone.
+void main() {}

@@ -1,0 +1,106 @@
+#include "render/shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "render/lamp.hpp"
+
+namespace opacity::render {
+namespace {
+
+// Reversed and without a far plane: depth is near / distance, which float32 resolves over any
+// range. Rows go down, so that the first row read back is the top of the picture.
+std::vector<float> clip_from_view(const Camera& camera, double aspect, double near) {
+    const double focal = 1.0 / std::tan(camera.fov_deg() * std::numbers::pi / 360.0);
+    std::vector<float> columns(16, 0.f);
+    columns[0] = float(focal / aspect);
+    columns[5] = float(-focal);
+    columns[11] = -1.f;
+    columns[14] = float(near);
+    return columns;
+}
+
+// Depth is as precise for a near plane this close, and what a scene of this size holds is all
+// behind it.
+double near_distance(const Scene& scene) {
+    return 1e-6 * std::max(scene.bounds().radius(), 1e-20);
+}
+
+// The rotation of a rigid matrix, by columns.
+std::vector<float> rotation_of(const double4x4& m) {
+    return {float(m[0]), float(m[4]), float(m[8]), float(m[1]), float(m[5]),
+            float(m[9]), float(m[2]), float(m[6]), float(m[10])};
+}
+
+const Light* light_of(const Scene& scene, std::size_t index) {
+    return index < scene.lights().size() ? scene.lights()[index].get() : nullptr;
+}
+
+}  // namespace
+
+Shading::Lamp::Lamp(const std::string& scope)
+    : color{scope.empty() ? "light_color" : scope + "/light_color"}, ambient{"no ambient light"} {
+    ambient.update({{"u_ambient", 0.f}});
+}
+
+void Shading::update(const PictureInputs& inputs) {
+    const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
+    const double4x4 view = inputs.camera.view_from_world();
+    const std::vector<float> projection =
+        clip_from_view(inputs.camera, aspect, near_distance(inputs.scene));
+    camera_.update(
+        view, {{"u_camera_clip_from_view", projection}, {"u_camera_rotation", rotation_of(view)}});
+    while (lamps_.size() > inputs.lights.size()) lamps_.pop_back();
+    for (std::size_t i = 0; i < inputs.lights.size(); ++i) {
+        if (i == lamps_.size()) lamps_.emplace_back(inputs.lights[i]->scope());
+        lamps_[i].color.update(lamp_uniforms(light_of(inputs.scene, i), view));
+    }
+}
+
+Pass Shading::pass(const std::string& name, const PictureInputs& inputs, std::size_t light,
+                   DrawList& shapes, bool opacity, Defines defines) const {
+    const ShadowLookUp& look_up = inputs.lights[light]->look_up();
+    const RenderSettings& settings = inputs.settings;
+    Reads reads = look_up.reads;
+    const auto add = [&](const Defines& more) {
+        defines.insert(defines.end(), more.begin(), more.end());
+    };
+    add(look_up.defines);
+    add(lamp_defines(light_of(inputs.scene, light)));
+    if (look_up.own_correction) add({{"OWN_CORRECTION", "1"}});
+    if (opacity) add({{"TRANSLUCENT", "1"}});
+    if (opacity || look_up.own_correction) reads.push_back(&shapes.opacity);
+    const Source& ambient =
+        light == 0 ? static_cast<const Source&>(settings.ambient) : lamps_[light].ambient;
+    reads.insert(reads.end(), {&shapes.color, &lamps_[light].color, &ambient, &settings.specular,
+                               &settings.shininess, &settings.wrap, &settings.backlight,
+                               &settings.phase, &settings.shadow_intensity});
+    return {.name = name,
+            .shader = {.vertex = "lighting.vert.glsl",
+                       .fragment = "lighting.frag.glsl",
+                       .technique = look_up.shader,
+                       .defines = std::move(defines)},
+            .draws = &shapes,
+            .view = &camera_,
+            .reads = std::move(reads)};
+}
+
+Pass Shading::unlit_pass(const std::string& name, const std::string& fragment, DrawList& shapes,
+                         Defines defines) const {
+    return {.name = name,
+            .shader = {.vertex = "lighting.vert.glsl",
+                       .fragment = fragment,
+                       .technique = "techniques/unshadowed.glsl",
+                       .defines = std::move(defines)},
+            .draws = &shapes,
+            .view = &camera_,
+            .reads = {&shapes.color}};
+}
+
+LightScope::LightScope(FrameGraph& graph, const PictureInputs& inputs, std::size_t light) {
+    const std::string& name = inputs.lights[light]->scope();
+    if (!name.empty()) scope_.emplace(graph, name);
+}
+
+}  // namespace opacity::render
