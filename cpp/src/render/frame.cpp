@@ -23,9 +23,8 @@ void Frame::fit_lights(const FrameInputs& inputs, const Box& query, std::size_t 
 Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query, std::size_t asked) {
     graph_.begin();  // first: the passes declared last refer to lights that may go
     // Without shaders there are no pictures, and no use for more than one pass of them.
-    const Compositing compositing = device_.runs_shaders()
-                                        ? compositing_of(inputs.settings.compositing)
-                                        : Compositing::opaque;
+    const Compositing compositing =
+        device_.runs_shaders() ? compositing_of(inputs.settings.compositing) : Compositing::opaque;
     lists_.update_casters(inputs.scene);
     lists_.update_seen(inputs.scene, compositing, inputs.camera.eye());
     fit_lights(inputs, query, asked);
