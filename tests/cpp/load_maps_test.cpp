@@ -101,6 +101,14 @@ TEST_CASE("a damaged picture is one or is refused") {
         }
 }
 
+TEST_CASE("a JPEG with more Huffman codes than a table holds is refused") {
+    std::string jpeg = jpeg_file(8, 8, 3, Texels(8 * 8 * 3, 77));
+    const std::size_t table = jpeg.find("\xFF\xC4");
+    REQUIRE(table != jpeg.npos);
+    for (std::size_t bits = 0; bits < 16; ++bits) jpeg[table + 5 + bits] = '\xFF';
+    CHECK(contains(picture_refusal(jpeg), "damaged"));
+}
+
 TEST_CASE("a header that announces more pixels than its bytes can hold costs no memory") {
     std::string png = png_file(1, 1, 3, {1, 2, 3});
     png[16 + 2] = 0x40, png[20 + 2] = 0x40;  // 16385 x 16385
@@ -128,6 +136,20 @@ TEST_CASE("points on a seam are split, and a corner without a place on the map i
     CHECK(mesh->uvs() ==
           std::vector<float2>{
               {0.25f, 0.75f}, {0.5f, 1}, {0.25f, 0.75f}, {0.25f, 0.75f}, {0.5f, 1}, {0, 0}});
+}
+
+TEST_CASE("a seam of the maps is no edge of the surface") {
+    const ScratchFolder folder;
+    const auto normals = [&](const std::string& first, const std::string& second) {
+        const std::string text =
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nvt 0 0\nvt 1 1\nf " + first + "\nf " + second;
+        return all<Mesh>(load(folder.write("m.obj", text).string()))[0]->normals();
+    };
+    const auto whole = normals("1 2 3", "1 4 2"), split = normals("1/1 2/1 3/1", "1/2 4/2 2/2");
+    REQUIRE(split.size() == 6);
+    for (const std::size_t i : {0u, 1u})
+        for (const std::size_t side : {2 * i, 2 * i + 1})
+            for (std::size_t c = 0; c < 3; ++c) CHECK(split[side][c] == Approx(whole[i][c]));
 }
 
 TEST_CASE("map_d is a mask from the channel that it names, or from the one that says something") {

@@ -22,7 +22,8 @@ TEST_CASE("what is not a readable file is refused by name") {
         CHECK(!refusal(folder, std::string{"empty"} + suffix, "").empty());
     }
     CHECK(contains(refusal(folder, "a.fbx", "x"), ".hair, .obj, .gltf, .glb, .ply, .nrrd"));
-    CHECK(contains(message_of<FileFormatError>([] { load(""); }), ".hair, .obj, .gltf, .glb, .ply, .nrrd"));
+    CHECK(contains(message_of<FileFormatError>([] { load(""); }),
+                   ".hair, .obj, .gltf, .glb, .ply, .nrrd"));
 }
 
 TEST_CASE("real models are what their index says") {
@@ -30,16 +31,15 @@ TEST_CASE("real models are what their index says") {
         const char* name;
         std::size_t parts, triangles;
     };
-    for (const Model& model : {Model{"opaque/bear_body.obj", 1, 57'784},
-                               Model{"opaque/ponytail_head.obj", 1, 17'894},
-                               Model{"opaque/bunny.ply", 1, 69'451},
-                               Model{"opaque/teapot.ply", 1, 2'256},
-                               Model{"foliage/cs_selfshadow_tree.obj", 2, 3'702},
-                               Model{"foliage/cs_selfshadow_plant.obj", 1, 9'884},
-                               Model{"foliage/cs_terrainf_tree.obj", 2, 712},
-                               Model{"foliage/eztree_oak_large.obj", 2, 22'566},
-                               Model{"foliage/urtica_dioica_1.obj", 3, 12'159},
-                               Model{"foliage/sanmiguel_tree_a_leaves.glb", 3, 151'981}}) {
+    for (const Model& model :
+         {Model{"opaque/bear_body.obj", 1, 57'784}, Model{"opaque/ponytail_head.obj", 1, 17'894},
+          Model{"opaque/bunny.ply", 1, 69'451}, Model{"opaque/teapot.ply", 1, 2'256},
+          Model{"foliage/cs_selfshadow_tree.obj", 2, 3'702},
+          Model{"foliage/cs_selfshadow_plant.obj", 1, 9'884},
+          Model{"foliage/cs_terrainf_tree.obj", 2, 712},
+          Model{"foliage/eztree_oak_large.obj", 2, 22'566},
+          Model{"foliage/urtica_dioica_1.obj", 3, 12'159},
+          Model{"foliage/sanmiguel_tree_a_leaves.glb", 3, 151'981}}) {
         const auto path = real_file(model.name);
         if (path.empty()) continue;
         CAPTURE(model.name);

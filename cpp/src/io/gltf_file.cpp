@@ -2,7 +2,6 @@
 #include "io/gltf_file.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "io/base64.hpp"
 #include "io/file.hpp"

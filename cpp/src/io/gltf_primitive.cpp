@@ -1,7 +1,6 @@
 #include "io/gltf_primitive.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "io/spacing.hpp"

@@ -1,6 +1,5 @@
-#include <cmath>
-
 #include "core/number_text.hpp"
+#include "core/vector.hpp"
 #include "io/file.hpp"
 #include "io/gzip.hpp"
 #include "io/nrrd_header.hpp"
@@ -59,10 +58,6 @@ bool is_along_axes(const std::array<double3, 3>& directions) {
         for (std::size_t k = 0; k < 3; ++k)
             if (i == k ? !(directions[i][k] > 0.0) : directions[i][k] != 0.0) return false;
     return true;
-}
-
-double length(const double3& v) {
-    return std::hypot(v[0], v[1], v[2]);
 }
 
 // Directions that are turned, mirrored or slanted go to the transform, of columns of length 1, so

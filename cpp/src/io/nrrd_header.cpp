@@ -1,11 +1,11 @@
 #include "io/nrrd_header.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <vector>
 
+#include "io/parsed_number.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/scene/positions.hpp"
 
@@ -198,13 +198,10 @@ std::vector<double> HeaderReader::numbers(const std::string& key, std::string_vi
     std::vector<double> result;
     for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
         const std::string_view word = text.substr(0, text.find_first_of(blanks));
-        double value = 0.0;
-        const std::size_t plus = word.starts_with('+') ? 1 : 0;
-        const auto [end, failure] =
-            std::from_chars(word.data() + plus, word.data() + word.size(), value);
-        if (failure != std::errc{} || end != word.data() + word.size())
+        const std::optional<double> value = parsed_number(word);
+        if (!value)
             throw error(key, "is no list of numbers", "write numbers with blanks between them");
-        result.push_back(value);
+        result.push_back(*value);
         text.remove_prefix(word.size());
     }
     return result;

@@ -3,11 +3,13 @@
 #include <charconv>
 #include <set>
 
+#include "core/vector.hpp"
 #include "io/file.hpp"
 #include "io/model_folder.hpp"
 #include "io/mtl.hpp"
 #include "io/surface.hpp"
 #include "io/text_cursor.hpp"
+#include "io/triangles.hpp"
 #include "opacity/io/load.hpp"
 
 namespace opacity {
@@ -163,26 +165,48 @@ Part& ObjReader::current_part() {
     return parts_[found->second];
 }
 
-// A fan around its first corner for each polygon.
+// The faces as fans, of the places that their corners have in the sorted vertices.
 std::vector<std::uint32_t> triangulated(const Part& part, const std::vector<Corner>& vertices) {
-    const auto vertex = [&](std::size_t corner) {
-        const auto found = std::lower_bound(vertices.begin(), vertices.end(), part.corners[corner]);
+    std::vector<std::uint32_t> corners(part.corners.size()), triangles;
+    std::transform(part.corners.begin(), part.corners.end(), corners.begin(), [&](const Corner& c) {
+        const auto found = std::lower_bound(vertices.begin(), vertices.end(), c);
         return static_cast<std::uint32_t>(found - vertices.begin());
-    };
-    std::vector<std::uint32_t> triangles;
-    triangles.reserve(3 * (part.corners.size() - 2 * part.ends.size()));
+    });
+    triangles.reserve(3 * (corners.size() - 2 * part.ends.size()));
     std::size_t begin = 0;
     for (const std::size_t end : part.ends) {
-        const std::uint32_t first = vertex(begin);
-        std::uint32_t last = vertex(begin + 1);
-        for (std::size_t corner = begin + 2; corner < end; ++corner) {
-            const std::uint32_t next = vertex(corner);
-            triangles.insert(triangles.end(), {first, last, next});
-            last = next;
-        }
+        add_fan(triangles, std::span{corners}.subspan(begin, end - begin));
         begin = end;
     }
     return triangles;
+}
+
+// Of vertices that the file has no normal for, weighted by area. A seam of the maps is no edge: the
+// vertices of one point, which stand side by side, get the same.
+void make_normals_across_seams(const std::vector<Corner>& vertices, const std::vector<double>& xyz,
+                               const std::vector<std::uint32_t>& triangles,
+                               std::vector<float3>& normals) {
+    std::vector<double3> sums(vertices.size(), double3{});
+    const auto point = [&](std::uint32_t v) {
+        return double3{xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]};
+    };
+    for (std::size_t t = 0; t < triangles.size(); t += 3) {
+        const double3 a = point(triangles[t]);
+        const double3 twice_area =
+            cross(minus(point(triangles[t + 1]), a), minus(point(triangles[t + 2]), a));
+        for (std::size_t c = 0; c < 3; ++c)
+            sums[triangles[t + c]] = plus(sums[triangles[t + c]], twice_area);
+    }
+    for (std::size_t begin = 0, end = 0; begin < vertices.size(); begin = end) {
+        double3 sum{};
+        for (end = begin; end < vertices.size() && vertices[end].point == vertices[begin].point;
+             ++end)
+            sum = plus(sum, sums[end]);
+        const double size = length(sum);
+        for (std::size_t v = begin; size > 0.0 && v < end; ++v)
+            if (vertices[v].normal == Corner::none)
+                for (std::size_t i = 0; i < 3; ++i) normals[v][i] = float(sum[i] / size);
+    }
 }
 
 // From map_d: the channel that it names, or else the alpha channel if that says anything. Without
@@ -226,7 +250,7 @@ ShapePtr ObjReader::mesh(const Part& part) {
         return std::any_of(vertices.begin(), vertices.end(),
                            [index](const Corner& c) { return c.*index != Corner::none; });
     };
-    const bool any_normal = any(&Corner::normal), any_uv = any(&Corner::uv);
+    const bool any_uv = any(&Corner::uv), any_normal = any(&Corner::normal) || any_uv;
     std::vector<double> xyz;
     std::vector<float3> normals;
     std::vector<float2> uvs;
@@ -237,6 +261,7 @@ ShapePtr ObjReader::mesh(const Part& part) {
         // A zero normal asks the mesh to make it.
         if (any_normal) normals.push_back(normal == Corner::none ? float3{} : normals_[normal]);
     }
+    if (any_uv) make_normals_across_seams(vertices, xyz, triangles, normals);
     const Surface look = surface(part.material);
     auto mesh =
         std::make_shared<Mesh>(Positions{std::move(xyz)}, std::move(triangles), std::move(normals),

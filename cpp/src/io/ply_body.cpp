@@ -1,8 +1,9 @@
 #include "io/ply_body.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "io/parsed_number.hpp"
 
 namespace opacity {
 
@@ -27,11 +28,7 @@ double PlyBody::next(ScalarType type) {
     const std::size_t end = std::min(content_.find_first_of(blanks, at_), content_.size());
     const std::string_view word = content_.substr(at_, end - at_);
     at_ = end;
-    double value = 0.0;
-    const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
-    const auto [stop, failure] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (failure == std::errc{} && stop == digits.data() + digits.size()) return value;
+    if (const std::optional<double> value = parsed_number(word)) return *value;
     throw error("holds \"" + std::string{word.substr(0, 40)} + "\" where a number belongs");
 }
 

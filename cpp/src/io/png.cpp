@@ -8,22 +8,9 @@
 
 #include "io/file.hpp"
 #include "io/srgb.hpp"
+#include "io/stb_writer.hpp"
 #include "opacity/core/error.hpp"
 #include "opacity/io/load.hpp"
-
-// The one place where stb's writer is compiled; static, so that it cannot meet another copy of
-// itself.
-#define STB_IMAGE_WRITE_STATIC
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#endif
-#include <stb/stb_image_write.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
 
 namespace opacity {
 namespace {

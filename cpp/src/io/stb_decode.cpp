@@ -57,6 +57,20 @@ bool is_whole_png(Bytes bytes) {
     return false;
 }
 
+// Whether the tables of a segment of Huffman codes fill it, none with more codes than any picture
+// needs: some versions of stb write such a table beyond its array.
+bool is_sound_huffman_segment(Bytes segment) {
+    constexpr std::size_t head = 17,
+                          most_codes = 255;  // what it is for, then how many of 1..16 bits
+    while (segment.size() >= head) {
+        std::size_t codes = 0;
+        for (std::size_t i = 1; i < head; ++i) codes += std::size_t(segment[i]);
+        if (codes > most_codes || head + codes > segment.size()) return false;
+        segment = segment.subspan(head + codes);
+    }
+    return segment.empty();
+}
+
 // Whether the markers reach the end of the image: stb shows the rest of a cut JPEG as grey. Within
 // coded data, 0xFF is followed by 0 or is a restart; other markers are followed by their length.
 bool is_whole_jpeg(Bytes bytes) {
@@ -70,10 +84,14 @@ bool is_whole_jpeg(Bytes bytes) {
             return true;
         } else if (marker == 0 || is_restart) {
             at += 2;
-        } else if (at + 4 <= bytes.size()) {
-            at += 2 + big_endian(bytes, at + 2, 2);
         } else {
-            return false;
+            if (at + 4 > bytes.size()) return false;
+            const std::size_t length = big_endian(bytes, at + 2, 2);
+            if (length < 2 || length > bytes.size() - at - 2) return false;
+            const bool sound =
+                marker != 0xC4 || is_sound_huffman_segment(bytes.subspan(at + 4, length - 2));
+            if (!sound) return false;
+            at += 2 + length;
         }
     }
     return false;
@@ -85,8 +103,8 @@ void check_whole(Bytes bytes, const std::string& name) {
         throw FileFormatError(name + " is neither a PNG nor a JPEG",
                               "save the picture as one of these");
     if (png ? is_whole_png(bytes) : is_whole_jpeg(bytes)) return;
-    throw FileFormatError(name + " ends before the picture does",
-                          "copy or save the picture again: it was not written to the end");
+    throw FileFormatError(name + " is damaged, or ends before the picture does",
+                          "save or copy the picture again");
 }
 
 const stbi_uc* stb_bytes(Bytes bytes) {

@@ -1,9 +1,9 @@
 #include "io/text_cursor.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "io/parsed_number.hpp"
 #include "opacity/scene/positions.hpp"
 
 namespace opacity {
@@ -87,14 +87,8 @@ std::string_view TextCursor::rest() {
 
 double TextCursor::number(const char* what) {
     const std::string_view text = word();
-    std::string_view digits = text;
-    // from_chars knows no plus sign; unlike strtod it reads the point in every locale.
-    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, failure] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    const bool whole = failure == std::errc{} && end == digits.data() + digits.size();
-    if (whole && std::abs(value) <= max_coordinate) return value;
+    const std::optional<double> value = parsed_number(text);
+    if (value && std::abs(*value) <= max_coordinate) return *value;
     const std::string found = text.empty() ? "is missing" : "is " + quoted(text);
     throw error(std::string{what} + " " + found, "write a finite number of at most 1e18 in size");
 }
