@@ -12,11 +12,10 @@
 
 namespace opacity {
 
-// A .hair, .obj, .gltf, .glb, .ply or .nrrd file, or a generated scene: "demo:NAME", with options as
-// in "demo:hair?segments=1000000&style=curly&seed=7".
-// FileFormatError for a file that lies about its content; memory never far exceeds the file's size,
-// or that of the pictures it names. What a model lacks without harm, such as a picture, is a
-// warning.
+// A .hair, .obj, .gltf, .glb, .ply or .nrrd file, or a generated scene: "demo:NAME", with options
+// as in "demo:hair?segments=1000000&style=curly&seed=7". FileFormatError for a file that lies about
+// its content; memory never far exceeds the file's size, or that of the pictures it names. What a
+// model lacks without harm, such as a picture, is a warning.
 std::vector<ShapePtr> load(const std::string& path_or_name, const Logger& log = {});
 
 // cyHair strands: transparency t becomes opacity 1 - t, thickness the width.
