@@ -379,17 +379,20 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
         given.push_back(row);
     }
     const Table found = evaluator(given);
-    check_agreement(given, found, [&](const Row& row) {
-        const Receiver receiver{.p_ls = {row[0], row[1], row[2]},
-                                .width_texels = row[3],
-                                .direction = {row[5], row[6], row[7]},
-                                .opacity = row[4],
-                                .ends = {row[8], row[9]},
-                                .on_strand = row[12]};
-        const OwnDeposit own =
-            own_deposit(seen(receiver, space), int(row[10]), int(row[11]), space.depth_range);
-        return Row{own.depth, own.depth_end, own.optical_depth};
-    });
+    check_agreement(
+        given, found,
+        [&](const Row& row) {
+            const Receiver receiver{.p_ls = {row[0], row[1], row[2]},
+                                    .width_texels = row[3],
+                                    .direction = {row[5], row[6], row[7]},
+                                    .opacity = row[4],
+                                    .ends = {row[8], row[9]},
+                                    .on_strand = row[12]};
+            const OwnDeposit own =
+                own_deposit(seen(receiver, space), int(row[10]), int(row[11]), space.depth_range);
+            return Row{own.depth, own.depth_end, own.optical_depth};
+        },
+        1e-5);
     const auto something = std::ranges::count_if(found, [](const Row& r) { return r[2] > 0.f; });
     CHECK(something > 2000);
 }

@@ -79,7 +79,8 @@ double own_error(const StrandsPtr& shape, double* depth_error) {
         for (int y = y0 - 4; y <= y0 + 4; ++y)
             for (int x = x0 - 4; x <= x0 + 4; ++x) {
                 const std::size_t texel = std::size_t(y) * size_px + x;
-                const OwnDeposit own = own_deposit(seen(receivers[i], space), x, y, space.depth_range);
+                const OwnDeposit own =
+                    own_deposit(seen(receivers[i], space), x, y, space.depth_range);
                 worst = std::max(worst, std::abs(own.optical_depth - optical_depth[texel]));
                 if (own.optical_depth > 1e-3f)
                     *depth_error = std::max(
@@ -170,7 +171,8 @@ TEST_CASE("what has no direction across the light corrects nothing, and is no Na
         check_finite(list);
         for (const Receiver& r : list) {
             CHECK(r.opacity == 0.f);
-            CHECK(own_deposit(seen(r, plain_space()), 64, 64, plain_space().depth_range).optical_depth == 0.f);
+            CHECK(own_deposit(seen(r, plain_space()), 64, 64, plain_space().depth_range)
+                      .optical_depth == 0.f);
         }
     }
     // Two points on one place: the others know.

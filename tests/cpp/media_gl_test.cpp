@@ -1,5 +1,5 @@
-// What particles, voxels and alpha maps leave in a texel stands twice, in GLSL and in C++: both make
-// the same of the same floats.
+// What particles, voxels and alpha maps leave in a texel stands twice, in GLSL and in C++: both
+// make the same of the same floats.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -39,8 +39,9 @@ std::vector<float> some_extinction(const Voxel& size) {
 }
 
 std::shared_ptr<Mesh> leaf(TextureMap alpha, AlphaMode mode) {
-    const auto mesh = std::make_shared<Mesh>(Positions{std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}},
-                                             std::vector<std::uint32_t>{0, 1, 2});
+    const auto mesh =
+        std::make_shared<Mesh>(Positions{std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}},
+                               std::vector<std::uint32_t>{0, 1, 2});
     mesh->set_uvs({{0, 0}, {1, 0}, {0, 1}});
     mesh->set_alpha(std::make_shared<TextureMap>(std::move(alpha)), mode);
     return mesh;
@@ -63,7 +64,8 @@ TEST_CASE("the part of an interval in front of a depth is the same in GLSL and C
     Random random;
     Table given;
     for (int i = 0; i < 2000; ++i) {
-        const float begin = random(0, 1), end = begin + (i % 3 ? std::pow(10.f, random(-7, 0)) : 0.f);
+        const float begin = random(0, 1),
+                    end = begin + (i % 3 ? std::pow(10.f, random(-7, 0)) : 0.f);
         given.insert(given.end(), {{begin, end, begin}, {begin, end, end}});
         given.insert(given.end(), {{begin, end, random(begin, end)}, {begin, end, random(0, 2)}});
     }
@@ -93,12 +95,13 @@ TEST_CASE("optical depth to opacity is the same in GLSL and C++, relative to its
 TEST_CASE("a sphere in a texel is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
-    Evaluator evaluator{context,
-                        {"#include \"lib/sphere.glsl\"\n", 6, 3,
-                         "SphereCoverage c;\n"
-                         "bool met = sphere_coverage(given2(0), given(2), given(3), given2(4), c);\n"
-                         "result(0) = met ? 1.0 : 0.0;\n"
-                         "result(1) = c.opacity; result(2) = c.half_length / max(1.0, given(2));"}};
+    Evaluator evaluator{
+        context,
+        {"#include \"lib/sphere.glsl\"\n", 6, 3,
+         "SphereCoverage c;\n"
+         "bool met = sphere_coverage(given2(0), given(2), given(3), given2(4), c);\n"
+         "result(0) = met ? 1.0 : 0.0;\n"
+         "result(1) = c.opacity; result(2) = c.half_length / max(1.0, given(2));"}};
     Random random;
     Table given;
     for (int i = 0; i < 20'000; ++i) {
@@ -132,13 +135,12 @@ TEST_CASE("a ray through voxels is the same in GLSL and C++") {
     const Voxel size{7, 5, 6};
     const std::vector<float> extinction = some_extinction(size);
     const VoxelGrid grid{size, extinction, {0.5f, 1.f, 2.f}};
-    Evaluator evaluator{
-        context,
-        {"#include \"lib/voxels.glsl\"\n", 12, 4,
-         "VoxelChord c; VoxelRay ray = VoxelRay(given3(0), given3(3), -1e30);\n"
-         "bool met = voxel_chord(ray, ivec3(given3(6)), ivec3(given3(9)), c);\n"
-         "result(0) = met ? 1.0 : 0.0; result(1) = c.begin;\n"
-         "result(2) = c.end; result(3) = c.optical_depth;"}};
+    Evaluator evaluator{context,
+                        {"#include \"lib/voxels.glsl\"\n", 12, 4,
+                         "VoxelChord c; VoxelRay ray = VoxelRay(given3(0), given3(3), -1e30);\n"
+                         "bool met = voxel_chord(ray, ivec3(given3(6)), ivec3(given3(9)), c);\n"
+                         "result(0) = met ? 1.0 : 0.0; result(1) = c.begin;\n"
+                         "result(2) = c.end; result(3) = c.optical_depth;"}};
     gl::Texture texture{context, GL_TEXTURE_3D, GL_R32F, size[0], size[1], size[2]};
     texture.write(std::as_bytes(std::span{extinction}));
     evaluator.set_texture("t_extinction", std::move(texture));
@@ -161,10 +163,13 @@ TEST_CASE("a ray through voxels is the same in GLSL and C++") {
     const auto voxel = [](const Row& row, std::size_t first) {
         return Voxel{int(row[first]), int(row[first + 1]), int(row[first + 2])};
     };
-    check_agreement(given, found, [&](const Row& row) {
-        const VoxelRay ray{{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, -1e30f};
-        return chord_row(voxel_chord(ray, grid, voxel(row, 6), voxel(row, 9)));
-    }, 1e-5);
+    check_agreement(
+        given, found,
+        [&](const Row& row) {
+            const VoxelRay ray{{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, -1e30f};
+            return chord_row(voxel_chord(ray, grid, voxel(row, 6), voxel(row, 9)));
+        },
+        1e-5);
     CHECK(std::ranges::count_if(found, [](const Row& row) { return row[0] == 1.f; }) > 400);
 }
 
@@ -184,8 +189,8 @@ TEST_CASE("coverage by an alpha map is the same in GLSL and C++, and its levels 
                                 {"#include \"lib/alpha.glsl\"\n", 6, 1,
                                  "result(0) = coverage_at(given2(0), coverage_level(given2(2), "
                                  "given2(4)));"}};
-            gl::Texture texture{context, GL_TEXTURE_2D, GL_R32F, width, height, 1,
-                                int(levels.size())};
+            gl::Texture texture{context, GL_TEXTURE_2D,     GL_R32F, width, height,
+                                1,       int(levels.size())};
             for (std::size_t i = 0; i < levels.size(); ++i)
                 texture.write(std::as_bytes(std::span{levels[i].values}), int(i));
             texture.set_filter(GL_LINEAR);
@@ -200,9 +205,12 @@ TEST_CASE("coverage by an alpha map is the same in GLSL and C++, and its levels 
                 given.push_back({random(-2, 3), random(-2, 3)});
                 given.back().insert(given.back().end(), slopes.begin(), slopes.end());
             }
-            check_agreement(given, evaluator(given), [&](const Row& row) {
-                const float level = coverage_level(levels, {row[2], row[3]}, {row[4], row[5]});
-                return Row{coverage_at(levels, {row[0], row[1]}, level)};
-            }, 2e-5);
+            check_agreement(
+                given, evaluator(given),
+                [&](const Row& row) {
+                    const float level = coverage_level(levels, {row[2], row[3]}, {row[4], row[5]});
+                    return Row{coverage_at(levels, {row[0], row[1]}, level)};
+                },
+                2e-5);
         }
 }

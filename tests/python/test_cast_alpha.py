@@ -25,7 +25,9 @@ def sheet(alpha, mode="mask", opacity=1.0, repeats=1.0, **attributes):
 def behind(shapes, points, name="exact", map_size=64, device="gpu", **parameters):
     scene = po.Scene(shapes, po.DirectionalLight(DOWN))
     technique = po.technique(name, bias=0.0, **parameters)
-    with po.Renderer(scene, size=(8, 8), technique=technique, map_size=map_size, device=device) as r:
+    with po.Renderer(
+        scene, size=(8, 8), technique=technique, map_size=map_size, device=device
+    ) as r:
         return r.transmittance(points)
 
 
@@ -71,12 +73,16 @@ def test_a_far_leaf_neither_thins_nor_thickens(needs_gl, mode, device):
 def test_the_cpu_agrees(needs_gl, name):
     rng = np.random.default_rng(2)
     leaf = sheet(rng.uniform(0, 1, (37, 50)), opacity=0.8, repeats=3.0)
-    turn = np.array([[0.8, 0.1, 0.6, 0.2], [-0.3, 0.9, 0.1, 0.1], [-0.5, -0.2, 0.8, 0.0], [0, 0, 0, 1]])
+    turn = np.array(
+        [[0.8, 0.1, 0.6, 0.2], [-0.3, 0.9, 0.1, 0.1], [-0.5, -0.2, 0.8, 0.0], [0, 0, 0, 1]]
+    )
     leaf.transform = turn
     points = rng.uniform(-1, 1, (3000, 3))
     parameters = {"split": "linear"} if name == "bounding_opacity_maps" else {}
     for size in (30, 170):
-        gpu, cpu = (behind(leaf, points, name, size, device, **parameters) for device in ("gpu", "cpu"))
+        gpu, cpu = (
+            behind(leaf, points, name, size, device, **parameters) for device in ("gpu", "cpu")
+        )
         # A texel on an edge within 1/256 texel may be covered in one and not in the other.
         assert np.mean(np.abs(gpu - cpu) > 1e-4) < 2e-3
 

@@ -11,12 +11,14 @@ import reference
 DOWN = (0.0, 0.0, -1.0)
 
 
-def seen(scene: po.Scene, technique: po.Technique, map_size: int, device: str = "gpu") -> po.Renderer:
+def seen(
+    scene: po.Scene, technique: po.Technique, map_size: int, device: str = "gpu"
+) -> po.Renderer:
     return po.Renderer(scene, size=(8, 8), technique=technique, map_size=map_size, device=device)
 
 
 def covered_area(radius: float, opacity: float) -> float:
-    """The integral of 1 - T over the disc of a sphere: chords c of 0 .. 1 with area 2 pi r^2 c dc."""
+    """The integral of 1 - T over a sphere's disc: chords c of 0 .. 1 on the area 2 pi r^2 c dc."""
     u = -math.log1p(-opacity)
     c = (np.arange(200_000) + 0.5) / 200_000
     return 2 * math.pi * radius**2 * float(np.mean(-np.expm1(-u * c) * c))
@@ -65,7 +67,9 @@ def test_a_particle_alone_does_not_shadow_its_centre(needs_gl, name, radius):
 def test_an_instance_casts_as_a_copy_does(needs_gl):
     rng = np.random.default_rng(3)
     centers = rng.uniform(-1, 1, (200, 3))
-    turn = np.array([[0.0, -1.0, 0.0, 0.5], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 2.0], [0, 0, 0, 1]])
+    turn = np.array(
+        [[0.0, -1.0, 0.0, 0.5], [1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 2.0], [0, 0, 0, 1]]
+    )
     one = po.Particles(centers, radius=0.1, opacity=0.4)
     other = one.instance()
     other.transform = turn

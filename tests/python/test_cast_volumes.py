@@ -7,7 +7,14 @@ import pyopacity as po
 import reference
 
 CASTING = [name for name in po.techniques() if name != "unshadowed"]
-DIRECTIONS = [(0, 0, -1), (0, 1, 0), (0.5, 0.3, -0.8), (-0.9, 0.05, 0.1), (1, 1, 1), (1e-4, 1.0, 0.3)]
+DIRECTIONS = [
+    (0, 0, -1),
+    (0, 1, 0),
+    (0.5, 0.3, -0.8),
+    (-0.9, 0.05, 0.1),
+    (1, 1, 1),
+    (1e-4, 1.0, 0.3),
+]
 
 
 def unit(v):
@@ -16,7 +23,9 @@ def unit(v):
 
 def answered(scene, points, name="exact", map_size=64, device="gpu", **parameters):
     technique = po.technique(name, **parameters)
-    with po.Renderer(scene, size=(8, 8), technique=technique, map_size=map_size, device=device) as r:
+    with po.Renderer(
+        scene, size=(8, 8), technique=technique, map_size=map_size, device=device
+    ) as r:
         return r.transmittance(points), r.light_from_world
 
 
@@ -35,7 +44,9 @@ def brute_force(volume, points, direction):
     for n, p in enumerate(points):
         here = (p - np.array(volume.origin)) / np.array(volume.spacing) + 0.5
         walls = [
-            (here[axis] - np.arange(size[axis] + 1)) / step[axis] for axis in range(3) if step[axis] != 0
+            (here[axis] - np.arange(size[axis] + 1)) / step[axis]
+            for axis in range(3)
+            if step[axis] != 0
         ]
         t = np.sort(np.concatenate([[0.0], *walls]))
         t = t[t >= 0.0]
@@ -66,7 +77,14 @@ def test_a_slab_lets_exp_sigma_d_through_at_every_angle(needs_gl, device, direct
         return
     for layers in range(1, 65):
         got, _ = answered(
-            scene, points, "bounding_opacity_maps", 16, device, layers=layers, split="linear", bias=0.0
+            scene,
+            points,
+            "bounding_opacity_maps",
+            16,
+            device,
+            layers=layers,
+            split="linear",
+            bias=0.0,
         )
         assert np.abs(got - expected).max() < 1e-5, layers
 

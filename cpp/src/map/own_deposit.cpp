@@ -20,8 +20,7 @@ OwnDeposit own_strand_deposit(const Receiver& receiver, float x, float y) {
                                           strand.steep ? y : x, strand.steep ? x : y);
     if (!coverage) return {};
     const float place = std::max(coverage->depth, 0.f);
-    return {place, place,
-            coverage->along * optical_depth_of(receiver.opacity * coverage->across)};
+    return {place, place, coverage->along * optical_depth_of(receiver.opacity * coverage->across)};
 }
 
 // Where the surface turns away from the light nothing is known of its neighbourhood.

@@ -32,8 +32,7 @@ void feed_view(ProgramFeeder& feeder, const View& view, const GpuShape& gpu) {
     const glm::dmat3 normal_from_local = glm::transpose(glm::inverse(glm::dmat3{from_local}));
     feeder.uniform(name + "_normal_from_local", to_floats(normal_from_local));
     if (!gpu.extinction.object) return;
-    const VoxelSpace voxels =
-        voxel_space(view.from_world(), gpu.transform, gpu.local_from_voxels);
+    const VoxelSpace voxels = voxel_space(view.from_world(), gpu.transform, gpu.local_from_voxels);
     feeder.uniform(name + "_from_voxels", to_floats(to_glm(voxels.from_voxels)));
     feeder.uniform("u_voxels_from_" + view.shader_name(), to_floats(to_glm(voxels.to_voxels)));
 }

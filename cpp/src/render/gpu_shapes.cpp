@@ -151,6 +151,7 @@ void GpuShapes::upload_mesh(GpuShape& gpu, const Mesh& mesh) {
         refresh(gpu.uvs, Part::uvs, now, [&] { return make_buffer(context_, mesh.uvs()); });
     if (!mesh.has_alpha()) return;
     gpu.defines.emplace_back("ALPHA_MAP", "1");
+    gpu.deposits = false;
     refresh(gpu.alpha, Part::alpha, now,
             [&] { return make_texture(context_, GL_R32F, coverage_levels(mesh)); });
 }

@@ -41,7 +41,7 @@ struct GpuShape {
     float width_scale = 1.f;
     float receiver_width = 0.f;  // world units; 0 for a surface
     bool receives = true, opaque = false;
-    bool deposits = false;  // whether the opacity maps hold it
+    bool deposits = false;  // whether the opacity maps hold what own_correction takes out
 };
 
 class GpuShapes {

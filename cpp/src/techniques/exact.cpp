@@ -37,7 +37,8 @@ struct Step {
 void check_entries(std::int64_t total) {
     if (total > most_entries)
         throw OutOfMemoryError("exact would keep " + std::to_string(total) +
-                                   " fragments and ends of fragments; it holds " + std::to_string(most_entries),
+                                   " fragments and ends of fragments; it holds " +
+                                   std::to_string(most_entries),
                                "lower map_size, or choose bounding_opacity_maps");
 }
 

@@ -2,9 +2,9 @@
 //
 // Idea: every fragment of every texel is kept, sorted by depth, with the running sum of optical
 // depth; a look-up finds the last fragment in front by binary search. Of an interval both ends are
-// kept, with the density between them, so that optical depth inside is exact too. What is left of error is the
-// map's resolution and the deposit, shared by all. After Carpenter's A-buffer (1984) and the
-// per-pixel lists of Yang et al. 2010, packed rather than linked.
+// kept, with the density between them, so that optical depth inside is exact too. What is left of
+// error is the map's resolution and the deposit, shared by all. After Carpenter's A-buffer (1984)
+// and the per-pixel lists of Yang et al. 2010, packed rather than linked.
 //
 // Cost: 2 geometry passes, one read-back of the counts, and log2(longest list) compute steps; 28
 // bytes a texel and 16 a fragment, 32 one with two ends (three times that while it sorts).

@@ -78,9 +78,8 @@ class LayeredTexels : public TexelMap {
         const int layer = layer_of(planes_.planes, x);
         const float low = planes_.planes[layer], high = planes_.planes[layer + 1];
         const float along = (x - low) / (high - low);
-        const float part =
-            counted(planes_.planes, planes_.position(texel, own.depth),
-                    planes_.position(texel, own.depth_end), layer, along);
+        const float part = counted(planes_.planes, planes_.position(texel, own.depth),
+                                   planes_.position(texel, own.depth_end), layer, along);
         const float before = plane(texel, layer), behind = plane(texel, layer + 1);
         return before * (1.f - along) + behind * along - own.optical_depth * part;
     }
@@ -102,13 +101,13 @@ Planes planes_in(PassContext& context, const LayersInMap& layers) {
 }  // namespace
 
 OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
-    return depth_on_cpu(
-        inputs, depth, [](float first, const Fragment& f) { return std::min(first, f.depth); });
+    return depth_on_cpu(inputs, depth,
+                        [](float first, const Fragment& f) { return std::min(first, f.depth); });
 }
 
 OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
-    return depth_on_cpu(
-        inputs, depth, [](float last, const Fragment& f) { return std::max(last, f.depth_end); });
+    return depth_on_cpu(inputs, depth,
+                        [](float last, const Fragment& f) { return std::max(last, f.depth_end); });
 }
 
 OnCpu layers_on_cpu(const ShadowInputs& inputs, const LayersInMap& in, int first_target,
