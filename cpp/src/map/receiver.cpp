@@ -89,8 +89,7 @@ void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, co
             told = {told[0] / length, told[1] / length, told[2] / length};
         }
         list[i].direction = to_float(told);
-        // How much of a texel the surface covers is not known where an alpha map says it.
-        if (corrects && !mesh.has_alpha()) list[i].opacity = at_or_only(mesh.opacity(), i);
+        if (corrects) list[i].opacity = at_or_only(mesh.opacity(), i);
     }
 }
 
