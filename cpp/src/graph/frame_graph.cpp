@@ -41,7 +41,8 @@ Reads all_reads(const Pass& pass) {
     Reads reads = pass.reads;
     reads.insert(reads.end(), pass.camera_reads.begin(), pass.camera_reads.end());
     if (pass.view) reads.push_back(pass.view);
-    if (pass.tests) reads.push_back(pass.tests);
+    if (pass.tests && std::find(reads.begin(), reads.end(), pass.tests) == reads.end())
+        reads.push_back(pass.tests);
     if (pass.draws) reads.push_back(&pass.draws->geometry);
     if (pass.only_with) reads.push_back(&pass.only_with->geometry);
     return reads;

@@ -101,8 +101,7 @@ void CameraMaps::add(FrameGraph& graph, const PictureInputs& inputs) {
 void CameraMaps::add_look_up(Pass& pass) const {
     pass.shader.camera_technique = technique_->shader_path();
     pass.shader.camera_defines = look_up_.defines;
-    pass.camera_reads = look_up_.reads;
-    pass.camera_reads.push_back(&view_);
+    pass.camera_reads = look_up_.reads;  // the view among them
 }
 
 }  // namespace opacity::render
