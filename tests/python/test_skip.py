@@ -251,8 +251,9 @@ def test_a_used_renderer_draws_what_a_new_one_does(
     r = random.Random(7)
     for change in CHANGES:
         change(r, renderer)
+        renderer.steady = False  # a light that holds on to its map depends on the frames before
         used = renderer.render()
-        names = ("size", "map_size", "antialiasing", "compositing")
+        names = ("size", "map_size", "antialiasing", "compositing", "steady")
         settings = {name: getattr(renderer, name) for name in names}
         with po.Renderer(
             renderer.scene,

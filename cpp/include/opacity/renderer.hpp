@@ -30,6 +30,10 @@ struct RenderSettings : ParamOwner {
                             {1, 16384},
                             "Texels along each side of the light's maps; auto: from the width and "
                             "spacing of the strands, or from filter_width."};
+    Param<bool> steady{
+        *this, "steady", true,
+        "A light holds on to its map while what casts lies within, so that shadows do "
+        "not swim; off: each frame fits anew, whatever was before."};
     Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
     Choice compositing{*this,
                        "compositing",

@@ -17,7 +17,8 @@ void Frame::fit_lights(const FrameInputs& inputs, const Box& query, std::size_t 
     }
     for (std::size_t i = 0; i < count; ++i)
         lights_[i]->fit(inputs.scene, lights.empty() ? nullptr : lights[i].get(),
-                        {inputs.technique, inputs.settings.map_size}, i == asked ? query : Box{});
+                        {inputs.technique, inputs.settings.map_size, inputs.settings.steady},
+                        i == asked ? query : Box{});
 }
 
 Frame::Goals Frame::declare(const FrameInputs& inputs, const Box& query, std::size_t asked) {

@@ -28,6 +28,7 @@ void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults&
     is_lit_ = light != nullptr;
     technique_ = light && light->technique() ? light->technique() : defaults.technique;
     own_map_size_px_ = light ? light->map_size() : 0;
+    if (!defaults.steady.get()) fit_ = {};
     space_ = fit_.fit(
         scene, light_or_none(light),
         [&](double side) { return map_size_px(scene, defaults.map_size, side); }, query);

@@ -19,6 +19,7 @@ namespace opacity::render {
 struct LightDefaults {
     const std::shared_ptr<Technique>& technique;
     const AutoParam<int>& map_size;
+    const Param<bool>& steady;
 };
 
 class LightMaps {
