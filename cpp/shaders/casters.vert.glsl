@@ -11,7 +11,7 @@ invariant gl_Position;
 #ifdef LIGHT_FACES
 // Each shape is drawn once for each face. What is beside the face, or not before it, is cut off.
 flat out int v_face;
-int face() { return gl_InstanceID; }
+int drawn_face() { return gl_InstanceID; }
 out float gl_ClipDistance[5];
 
 // `p` times `forward` is the place on the face; so a triangle may reach behind it.
@@ -23,11 +23,11 @@ vec4 clip_from_face(vec2 p, float forward) {
     gl_ClipDistance[3] = size * forward - p.y;
     gl_ClipDistance[4] = forward - least_forward;
     vec2 map_size = size * vec2(u_light_columns, (LIGHT_FACES + u_light_columns - 1) / u_light_columns);
-    return vec4(2.0 * (p + forward * vec2(corner_px(face()))) / map_size - forward, 0.0, forward);
+    return vec4(2.0 * (p + forward * vec2(corner_px(drawn_face()))) / map_size - forward, 0.0, forward);
 }
 
 vec4 clip_from_seen(vec3 r) {
-    return clip_from_face(focal_px(face()) * r.xy + r.z * middle_px(face()), r.z);
+    return clip_from_face(focal_px(drawn_face()) * r.xy + r.z * middle_px(drawn_face()), r.z);
 }
 
 vec4 clip_from_texels(vec2 p) { return clip_from_face(p, 1.0); }
@@ -63,7 +63,7 @@ uniform int u_opacity_stride;  // 0: one opacity for all
 
 void main() {
 #ifdef LIGHT_FACES
-    v_face = face();
+    v_face = drawn_face();
 #endif
     place_caster();
 }

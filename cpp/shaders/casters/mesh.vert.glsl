@@ -24,7 +24,7 @@ void place_caster() {
 #endif
 #ifdef LIGHT_FACES
     v_q = p_ls;
-    gl_Position = clip_from_seen(seen_by(face(), v_q));
+    gl_Position = clip_from_seen(seen_by(drawn_face(), v_q));
 #else
     v_depth = p_ls.z;
     gl_Position = clip_from_texels(p_ls.xy);

@@ -17,7 +17,7 @@ flat out float v_opacity;
 #ifdef LIGHT_FACES
 // The square that a sphere covers on the face: all of it where the light is near.
 void see_sphere(out vec2 low, out vec2 high) {
-    vec3 r = seen_by(face(), v_sphere.xyz);
+    vec3 r = seen_by(drawn_face(), v_sphere.xyz);
     float distance = length(r);
     low = vec2(0.0), high = vec2(u_light_map_size_px);
     v_center = vec3(0.0);
@@ -27,9 +27,9 @@ void see_sphere(out vec2 low, out vec2 high) {
         high = low;
         return;
     }
-    v_center = place_by(face(), v_sphere.xyz);
+    v_center = place_by(drawn_face(), v_sphere.xyz);
     // The picture of a sphere is an ellipse: the circle of its area, and the square around it.
-    float texels = focal_px(face()) * v_sphere.w / r.z, stretch = distance / r.z;
+    float texels = focal_px(drawn_face()) * v_sphere.w / r.z, stretch = distance / r.z;
     v_radius_texels = texels * sqrt(stretch);
     low = floor(v_center.xy - texels * stretch * 1.1), high = ceil(v_center.xy + texels * stretch * 1.1);
 }

@@ -16,7 +16,7 @@ flat out vec2 v_opacity;
 #ifdef LIGHT_FACES
 // Cuts off what is not before the face, and sees the rest through it; false where nothing is left.
 bool see_segment(vec2 width) {
-    float a = seen_by(face(), v_root_q).z, b = seen_by(face(), v_tip_q).z;
+    float a = seen_by(drawn_face(), v_root_q).z, b = seen_by(drawn_face(), v_tip_q).z;
     const float least = 1.001 * least_forward;
     if (max(a, b) <= least) return false;
     vec2 ends = vec2(0.0, 1.0);
@@ -30,10 +30,10 @@ bool see_segment(vec2 width) {
 #ifdef OPTICAL_DEPTH
     v_opacity = mix(v_opacity.xx, v_opacity.yy, ends);
 #endif
-    v_root = place_by(face(), v_root_q);
-    v_tip = place_by(face(), v_tip_q);
-    v_width_texels = vec2(ribbon_width_by(face(), v_root_q, along, width.x),
-                          ribbon_width_by(face(), v_tip_q, along, width.y));
+    v_root = place_by(drawn_face(), v_root_q);
+    v_tip = place_by(drawn_face(), v_tip_q);
+    v_width_texels = vec2(ribbon_width_by(drawn_face(), v_root_q, along, width.x),
+                          ribbon_width_by(drawn_face(), v_tip_q, along, width.y));
     return true;
 }
 #endif

@@ -23,7 +23,7 @@ void place_caster() {
     vec4 begin = slabs[2 * slab], end = slabs[2 * slab + 1];
     v_slab_begin = begin.xyz, v_slab_end = end.xyz;
 #ifdef LIGHT_FACES
-    vec4 light = u_voxels_from_light * light_source(face());
+    vec4 light = u_voxels_from_light * light_source(drawn_face());
 #else
     vec4 light = u_voxels_from_light * light_source();  // w: 0 at infinity
 #endif
@@ -43,7 +43,7 @@ void place_caster() {
     p[v] = corner.y > 0.5 ? end[v] : begin[v];
     vec3 p_ls = (u_light_from_voxels * vec4(p, 1.0)).xyz;
 #ifdef LIGHT_FACES
-    gl_Position = clip_from_seen(seen_by(face(), p_ls));
+    gl_Position = clip_from_seen(seen_by(drawn_face(), p_ls));
 #else
     gl_Position = clip_from_texels(p_ls.xy);
 #endif
