@@ -86,6 +86,7 @@ def srgb_byte(linear: float) -> int:
 @pytest.mark.skipif(shutil.which("xvfb-run") is None, reason="needs xvfb-run to have a display")
 def test_a_window_shows_the_headless_picture_before_its_background(tmp_path: pathlib.Path) -> None:
     scene = (DEMO, "--set", "antialiasing=1", "--set", "map_size=64")
+    scene += ("--set", "compositing=opaque")
     window = run(tmp_path, "xvfb-run", "-a", VIEWER, *scene, "--frames", "3", "-o", "window.png")
     assert (window.returncode, window.stderr) == (0, "")
     shown = read_png(tmp_path / "window.png")
