@@ -129,7 +129,7 @@ def test_the_registry_names_every_technique_once() -> None:
     lines = (folder / "CMakeLists.txt").read_text("utf-8")
     registered = re.findall(r"^opacity_add_technique\((\w+)\)", lines, re.MULTILINE)
     assert registered == list(po.techniques())
-    shared = {"registry", "technique", "layers_on_cpu", "split_search"}
+    shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "split_search"}
     for place, suffix in (
         (folder, ".hpp"),
         (folder, ".cpp"),

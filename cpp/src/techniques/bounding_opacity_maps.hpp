@@ -16,18 +16,17 @@
 // whole map.
 #pragma once
 
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include "opacity/technique.hpp"
+#include "techniques/layered.hpp"
 #include "techniques/split_search.hpp"
 
 namespace opacity::techniques {
 
-class BoundingOpacityMaps : public Technique {
+class BoundingOpacityMaps : public Layered {
    public:
-    BoundingOpacityMaps() : Technique{"bounding_opacity_maps"} {}
+    BoundingOpacityMaps()
+        : Layered{"bounding_opacity_maps", 64, "Opacity layers between the two bounds."} {}
 
     std::string_view summary() const override {
         return "Opacity layers between the first and the last caster of each texel, on a hybrid "
@@ -37,10 +36,6 @@ class BoundingOpacityMaps : public Technique {
     LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override;
     void needs_recompute() override { search_request_.touch(); }
 
-    Param<int> layers{*this, "layers", 16, {1, 64}, "Opacity layers between the two bounds."};
-    Param<bool> own_correction{*this, "own_correction", true,
-                               "Takes out of a look-up what it counts of the receiver's own "
-                               "deposit; not with deposit_rule paper."};
     Choice split{*this,
                  "split",
                  {"auto", "linear", "logarithmic", "hybrid"},
@@ -65,20 +60,9 @@ class BoundingOpacityMaps : public Technique {
                             "draws one ratio a frame, as the thesis does."};
 
    private:
-    // K planes of [0, 1], and their number, as lib/planes.glsl reads them.
-    struct Planes {
-        const Source& layers;
-        Value<std::vector<float>>& planes;
-        int count;
-    };
     double fixed_ratio() const;
-    Bounds add_bounds(FrameGraph& graph, const ShadowInputs& inputs) const;
-    // Passes that draw cumulative optical depth at the planes into one array texture; of one block
-    // of 4 x 4 texels in every `block_stride`, both ways.
-    Texture& add_layers(FrameGraph& graph, const ShadowInputs& inputs, const Bounds& bounds,
-                        const std::string& name, const Planes& planes, int block_stride = 1) const;
     DrawnLayers add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
-                              const Bounds& bounds) const;
+                              const LayerSpan& span) const;
 
     UniformSet search_request_{"needs_recompute"};
 };

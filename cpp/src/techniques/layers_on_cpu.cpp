@@ -93,8 +93,8 @@ class LayeredTexels : public TexelMap {
     std::span<const float> map_;
 };
 
-Planes planes_in(PassContext& context, const LayersInMap& layers) {
-    return {context.memory<float>(layers.start), context.memory<float>(layers.end),
+Planes planes_in(PassContext& context, const DrawnLayers& layers) {
+    return {context.memory<float>(*layers.span.start), context.memory<float>(*layers.span.end),
             layers.planes.get()};
 }
 
@@ -110,26 +110,26 @@ OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
                         [](float last, const Fragment& f) { return std::max(last, f.depth_end); });
 }
 
-OnCpu layers_on_cpu(const ShadowInputs& inputs, const LayersInMap& in, int first_target,
+OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
                     int target_count, int block_stride) {
     return [=](PassContext& context) {
-        const Planes planes = planes_in(context, in);
+        const Planes planes = planes_in(context, drawn);
         const int first_plane = planes_per_target * first_target + 1;
         const int last_plane =
             std::min(planes_per_target * (first_target + target_count), planes.last_plane());
-        Layers layers{planes, context.memory<float>(in.map), first_plane, last_plane};
+        Layers layers{planes, context.memory<float>(drawn.map), first_plane, last_plane};
         const auto is_sampled = [block_stride](int i) { return i / 4 % block_stride == 0; };
         for_each_fragment(inputs.fragments(context, true), [&](const Fragment& fragment) {
             if (is_sampled(fragment.x) && is_sampled(fragment.y)) layers.add(fragment);
         });
-        const std::size_t row_texels = std::size_t(in.map.desc().width);
-        parallel_for(std::size_t(in.map.desc().height), [&](std::size_t row) {
+        const std::size_t row_texels = std::size_t(drawn.map.desc().width);
+        parallel_for(std::size_t(drawn.map.desc().height), [&](std::size_t row) {
             for (std::size_t i = 0; i < row_texels; ++i) layers.accumulate(row * row_texels + i);
         });
     };
 }
 
-std::function<std::unique_ptr<TexelMap>(PassContext&)> layers_look_up(const LayersInMap& layers) {
+std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& layers) {
     return [layers](PassContext& context) {
         return std::make_unique<LayeredTexels>(planes_in(context, layers),
                                                context.memory<float>(layers.map));

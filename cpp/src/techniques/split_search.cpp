@@ -6,7 +6,6 @@
 
 #include "opacity/core/split.hpp"
 #include "scene/bias.hpp"
-#include "techniques/layers_on_cpu.hpp"
 
 namespace opacity::techniques {
 namespace {
@@ -18,7 +17,7 @@ constexpr int block_size_px = 4;
 constexpr int sampled_size_px = 128;
 constexpr std::size_t sampled_texels = 4096;
 
-// Channel c of layer t is plane 4 t + c + 1; the read-back holds one image a layer.
+// The read-back holds one image a layer.
 struct ReadBack {
     std::vector<float> targets, start, end;
     std::vector<float> planes;
@@ -26,8 +25,8 @@ struct ReadBack {
 
     ReadBack(PassContext& context, const DrawnLayers& drawn)
         : targets{context.read<float>(drawn.map)},
-          start{context.read<float>(drawn.bounds.start)},
-          end{context.read<float>(drawn.bounds.end)},
+          start{context.read<float>(*drawn.span.start)},
+          end{context.read<float>(*drawn.span.end)},
           planes{drawn.planes.get()},
           width_px{drawn.map.desc().width},
           height_px{drawn.map.desc().height} {}
@@ -112,8 +111,8 @@ void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
     graph.add(
         {.name = "split_search",
          .only_with = &inputs.translucent,
-         .reads = {&histogram.map, &histogram.planes, &histogram.bounds.start,
-                   &histogram.bounds.end, &layers, &similarity, &bias, &own_correction, &request},
+         .reads = {&histogram.map, &histogram.planes, histogram.span.start, histogram.span.end,
+                   &layers, &similarity, &bias, &own_correction, &request},
          .values = {&planes},
          .execute = [search = *this, measure = measure(inputs), histogram, &planes,
                      bias_ls = relative_bias(inputs, bias)](PassContext& context) {
@@ -160,8 +159,8 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
     const bool has_fine = &fine.map != &drawn.map;
     Reads reads{&drawn.map,
                 &drawn.planes,
-                &drawn.bounds.start,
-                &drawn.bounds.end,
+                drawn.span.start,
+                drawn.span.end,
                 &trials.searched,
                 &inputs.light,
                 &inputs.translucent.opacity,

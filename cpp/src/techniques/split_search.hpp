@@ -7,6 +7,7 @@
 
 #include "opacity/core/split_search.hpp"
 #include "opacity/technique.hpp"
+#include "techniques/drawn_layers.hpp"
 
 namespace opacity::techniques {
 
@@ -18,18 +19,6 @@ int fine_layer_count(int map_width_px);
 
 // It holds one block of 4 x 4 texels in so many, both ways.
 int block_stride(int map_width_px);
-
-// Depths of the first and the last caster of each texel.
-struct Bounds {
-    Texture &start, &end;
-};
-
-// Layers in an array texture, the planes that they lie at, and the bounds that these lie between.
-struct DrawnLayers {
-    Texture& map;
-    Value<std::vector<float>>& planes;
-    Bounds bounds;
-};
 
 // What a search is told: how many layers, by which measure, with which bias T is looked up, and
 // when to search again.
