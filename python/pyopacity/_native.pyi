@@ -133,10 +133,18 @@ class Mesh(Shape):
 
 class Particles(Shape):
     def __init__(
-        self, centers: _Floats, radius: _Floats, opacity: _Floats, color: _Floats, /
+        self,
+        centers: _Floats,
+        radius: _Floats,
+        opacity: _Floats,
+        color: _Floats,
+        profile: str,
+        /,
     ) -> None: ...
     def radius(self) -> _F32: ...
     def set_radius(self, values: _Floats, /) -> None: ...
+    def profile(self) -> Literal["sphere", "metaball"]: ...
+    def set_profile(self, name: str, /) -> None: ...
 
 class Volume(Shape):
     def __init__(

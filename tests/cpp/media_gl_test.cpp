@@ -97,9 +97,9 @@ TEST_CASE("a sphere in a texel is the same in GLSL and C++") {
     if (!context) return;
     Evaluator evaluator{
         context,
-        {"#include \"lib/sphere.glsl\"\n", 6, 3,
+        {"#include \"lib/sphere.glsl\"\n", 7, 3,
          "SphereCoverage c;\n"
-         "bool met = sphere_coverage(given2(0), given(2), given(3), given2(4), c);\n"
+         "bool met = sphere_coverage(given2(0), given(2), given(3), int(given(6)), given2(4), c);\n"
          "result(0) = met ? 1.0 : 0.0;\n"
          "result(1) = c.opacity; result(2) = c.half_length / max(1.0, given(2));"}};
     Random random;
@@ -109,12 +109,13 @@ TEST_CASE("a sphere in a texel is the same in GLSL and C++") {
         const float x = random(8, 9), y = random(8, 9);
         given.push_back({x, y, radius, std::exp(random(-9, 2.8f)),
                          std::floor(x + random(-reach, reach)) + 0.5f,
-                         std::floor(y + random(-reach, reach)) + 0.5f});
+                         std::floor(y + random(-reach, reach)) + 0.5f, float(i % 2)});
     }
     const Table found = evaluator(given);
     // A ring that runs along an edge may be inside in one and outside in the other.
     const auto expected = [](const Row& row) {
-        const auto c = sphere_coverage({row[0], row[1]}, row[2], row[3], {row[4], row[5]});
+        const auto c = sphere_coverage({row[0], row[1]}, row[2], row[3],
+                                       DensityProfile(int(row[6])), {row[4], row[5]});
         return c ? Row{1, c->opacity, c->half_length / std::max(1.f, row[2])} : Row{0, 0, 0};
     };
     int apart = 0, met = 0;

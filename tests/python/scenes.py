@@ -57,10 +57,11 @@ def random_shapes(seed: int) -> list[po.Shape]:
     dust = po.Particles(
         random.uniform(-1.2, 1.2, (10, 3)), random.uniform(0.1, 0.6, 10), random.uniform(0, 1, 10)
     )
+    balls = po.Particles(0.8 * dust.points, dust.radius, dust.opacity, profile="metaball")
     density = random.uniform(0.0, 2.0, (5, 3, 4)).astype(np.float32)
     density[random.uniform(size=density.shape) < 0.5] = 0.0
     smoke = po.Volume(density, (-0.6, -0.4, -0.8), (0.4, 0.5, 0.3))
-    shapes = [hair, veils, stone, dust, smoke, *_leaves(random)]
+    shapes = [hair, veils, stone, dust, smoke, *_leaves(random), balls]
     for shape in shapes:
         matrix = np.eye(4)
         matrix[:3, :3] = np.linalg.qr(random.normal(size=(3, 3)))[0] * random.uniform(0.5, 2.0)

@@ -17,17 +17,22 @@ def seen(
     return po.Renderer(scene, size=(8, 8), technique=technique, map_size=map_size, device=device)
 
 
-def covered_area(radius: float, opacity: float) -> float:
-    """The integral of 1 - T over a sphere's disc: chords c of 0 .. 1 on the area 2 pi r^2 c dc."""
+def covered_area(radius: float, opacity: float, profile: str = "sphere") -> float:
+    """The integral of 1 - T over the disc: half chords c of 0 .. 1 on the area 2 pi r^2 c dc."""
     u = -math.log1p(-opacity)
     c = (np.arange(200_000) + 0.5) / 200_000
-    return 2 * math.pi * radius**2 * float(np.mean(-np.expm1(-u * c) * c))
+    depth = u * c**5 if profile == "metaball" else u * c
+    return 2 * math.pi * radius**2 * float(np.mean(-np.expm1(-depth) * c))
 
 
 @pytest.mark.parametrize("device", ["gpu", "cpu"])
 @pytest.mark.parametrize("radius_px", [0.05, 0.2, 0.45, 0.7, 1.3, 3.0, 6.9, 8.5, 20.0])
-@pytest.mark.parametrize("opacity", [1e-6, 0.3, 0.9, 1.0])
-def test_the_area_is_that_of_the_discs(needs_gl, device, radius_px, opacity):
+@pytest.mark.parametrize(
+    ("profile", "opacity"),
+    [("sphere", 1e-6), ("sphere", 0.3), ("sphere", 0.9), ("sphere", 1.0)]
+    + [("metaball", 1e-6), ("metaball", 0.5), ("metaball", 1.0)],
+)
+def test_the_area_is_that_of_the_discs(needs_gl, device, radius_px, profile, opacity):
     """Anywhere between the texels, from a twentieth of one to many."""
     size, side = 256, 8 if radius_px < 8 else 4
     rng = np.random.default_rng(int(100 * radius_px))
@@ -36,7 +41,7 @@ def test_the_area_is_that_of_the_discs(needs_gl, device, radius_px, opacity):
     xy = (cells + 0.5) / side + room * rng.uniform(-0.5, 0.5, (len(cells), 2))
     centers = np.c_[xy, rng.uniform(-0.1, 0.1, len(cells))]
     corners = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 0.0]])  # so that the map spans the unit square
-    particles = po.Particles(centers, radius=radius_px / 256, opacity=opacity)
+    particles = po.Particles(centers, radius_px / 256, opacity, profile=profile)
     frame = po.Particles(corners, radius=1e-9, opacity=1e-9)
     scene = po.Scene([particles, frame], po.DirectionalLight(DOWN))
     technique = po.technique("bounding_opacity_maps", layers=4, split="linear")
@@ -46,22 +51,59 @@ def test_the_area_is_that_of_the_discs(needs_gl, device, radius_px, opacity):
         texel = 1.0 / reference.texels_per_unit(r.light_from_world)
     area = float(-np.expm1(-total).sum()) * texel**2
     opacity = min(float(np.float32(opacity)), 1.0 - 2.0**-24)
-    assert area == pytest.approx(len(centers) * covered_area(radius_px / 256, opacity), rel=1e-2)
+    expected = len(centers) * covered_area(radius_px / 256, opacity, profile)
+    assert area == pytest.approx(expected, rel=1e-2)
 
 
 @pytest.mark.parametrize("name", [name for name in po.techniques() if name != "unshadowed"])
 @pytest.mark.parametrize("radius", [0.003, 0.02, 0.4])
-def test_a_particle_alone_does_not_shadow_its_centre(needs_gl, name, radius):
+@pytest.mark.parametrize("profile", ["sphere", "metaball"])
+def test_a_particle_alone_does_not_shadow_its_centre(needs_gl, name, radius, profile):
     rng = np.random.default_rng(2)
     centers = np.c_[np.stack(np.meshgrid(*[np.arange(5)] * 2), -1).reshape(-1, 2), np.zeros(25)]
     centers[:, :2] += rng.uniform(-0.05, 0.05, (25, 2))
     centers[:, 2] = rng.uniform(-1, 1, 25)
-    particles = po.Particles(centers, radius=radius, opacity=0.8)
+    particles = po.Particles(centers, radius, 0.8, profile=profile)
     scene = po.Scene(particles, po.DirectionalLight(DOWN))
     technique = po.technique(name, bias=0.0)
     for device in ("gpu", "cpu"):
         with seen(scene, technique, 60, device) as r:
             assert np.abs(r.transmittance(particles) - 1.0).max() < 2e-4
+
+
+@pytest.mark.parametrize("profile", ["sphere", "metaball"])
+def test_the_maps_agree_with_rays(needs_gl, profile):
+    """In front of them, inside and behind; of a few texels and of many."""
+    rng = np.random.default_rng(6)
+    dust = po.Particles(
+        rng.uniform(-1, 1, (60, 3)), rng.uniform(0.05, 0.5, 60), 0.5, profile=profile
+    )
+    scene = po.Scene(dust, po.DirectionalLight((0.3, 0.2, -1.0)))
+    points = rng.uniform(-1.5, 1.5, (2000, 3))
+    truth = po.trace_transmittance(scene, points, bias=0.0)
+    for device in ("gpu", "cpu"):
+        with seen(scene, po.technique("exact", bias=0.0), 256, device) as r:
+            T = r.transmittance(points)
+        # Inside, a chord's depths are spread evenly, with the variance of its own.
+        assert abs(np.mean(T - truth)) < 1e-3
+        assert np.sqrt(np.mean((T - truth) ** 2)) < 0.006
+    assert truth.min() < 0.3
+
+
+def test_another_profile_is_a_change_like_any_other(needs_gl, same):
+    dust = po.Particles(np.zeros((1, 3)), opacity=0.5)
+    scene = po.Scene([dust, dust.instance()], po.DirectionalLight(DOWN))
+    behind = np.array([[0.5, 0.0, -2.0]])
+    with seen(scene, po.technique("exact"), 64) as r:
+        assert r.transmittance(behind)[0] == pytest.approx(0.25**0.75**0.5, abs=0.01)
+        dust.profile = "metaball"
+        assert scene.shapes[1].profile == "sphere"
+        changed = r.transmittance(behind)
+        assert changed[0] == pytest.approx(0.5 ** (0.75**0.5 + 0.75**2.5), abs=0.01)
+        r.invalidate()
+        assert same(changed, r.transmittance(behind))
+    with pytest.raises(po.ParameterError, match='"sphere", "metaball"'):
+        dust.profile = "blob"
 
 
 def test_an_instance_casts_as_a_copy_does(needs_gl):

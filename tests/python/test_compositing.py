@@ -109,16 +109,23 @@ def test_in_opaque_all_is_opaque_and_in_subsets_a_third_of_each(
 
 
 @pytest.mark.parametrize("mode", MODES)
-@pytest.mark.parametrize("eye", [10.0, 0.3])
-def test_a_particle_is_as_opaque_as_its_chord(mode: str, eye: float) -> None:
+@pytest.mark.parametrize(
+    ("profile", "eye", "part"),
+    # Of the density from -1 to .3 a metaball has (.3 - 2/3 .3^3 + .3^5/5) 15/16 more than half.
+    [("sphere", 10, 1), ("sphere", 0.3, 0.65), ("metaball", 10, 1), ("metaball", 0.3, 0.764831)],
+)
+def test_a_particle_is_as_opaque_as_its_chord(
+    mode: str, profile: Any, eye: float, part: float
+) -> None:
     """Seen from far, through its middle; and from within, from there on."""
-    smoke = po.Particles(np.zeros((1, 3)), radius=1.0, opacity=0.6, color=(1, 1, 1))
+    smoke = po.Particles(
+        np.zeros((1, 3)), radius=1.0, opacity=0.6, color=(1, 1, 1), profile=profile
+    )
     camera = po.Camera.look_at((0, 0, eye), (0, 0, 0), up=(0, 1, 0), fov_deg=10)
     options: dict[str, Any] = {"size": (15, 15), "map_size": 64, "antialiasing": 1}
     with po.Renderer(po.Scene(smoke), camera, compositing=mode, ambient=1.0, **options) as renderer:
         pixel = renderer.render()[7, 7]
-    chord = min(2.0, 1.0 + eye) / 2.0
-    assert np.abs(pixel - (1.0 - 0.4**chord)).max() < 1e-4
+    assert np.abs(pixel - (1.0 - 0.4**part)).max() < 1e-4
 
 
 @pytest.mark.parametrize("mode", MODES)

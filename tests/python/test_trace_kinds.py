@@ -53,6 +53,22 @@ def test_only_what_lies_in_front_counts(backend: str) -> None:
     np.testing.assert_allclose(lamp, 0.4**0.4, atol=1e-7)  # a light within it
 
 
+@backends
+def test_a_metaball_stops_light_by_the_integral_of_its_density(backend: str) -> None:
+    """Of (1 - r^2)^2 along the ray, in radii; through the middle it is what the opacity says."""
+    ball = po.Particles(points((0, 0, 3)), radius=0.5, opacity=0.6, profile="metaball")
+    x, z = np.meshgrid([0.0, 0.1, 0.3, 0.4, 0.49, 0.51], [0.0, 2.55, 2.8, 3.0, 3.3, 3.6])
+    at = np.stack([x, 0.0 * x, z], axis=-1).reshape(-1, 3)
+    along = (np.arange(20_000) + 0.5) / 10_000 - 1.0  # -1 .. 1
+
+    def in_front(p: np.ndarray) -> float:
+        density = np.maximum(1.0 - along**2 - (p[0] / 0.5) ** 2, 0.0) ** 2
+        return float(density[along > (p[2] - 3.0) / 0.5].sum() / ((1.0 - along**2) ** 2).sum())
+
+    expected = 0.4 ** np.array([in_front(p) for p in at])
+    np.testing.assert_allclose(trace(ball, at=at, backend=backend), expected, atol=1e-5)
+
+
 def test_a_particle_does_not_count_at_its_own_centre() -> None:
     """Its neighbours do, as far as they are in front; so does any other shape that is its copy."""
     dust = po.Particles(points((0, 0, 0), (0, 0, 1), (0, 0, 1.25)), radius=0.5, opacity=0.5)

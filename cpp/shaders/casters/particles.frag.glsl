@@ -1,6 +1,7 @@
-// A particle in a texel: an interval, as long as its mean chord there.
+// A particle in a texel: an interval, whose depths spread as those of its chords there.
 #include "lib/sphere.glsl"
 
+uniform int u_profile;  // lib/density_profile.glsl
 flat in vec3 v_center;
 flat in float v_radius_texels;
 #ifdef LIGHT_FACES
@@ -21,7 +22,7 @@ bool covers(out Deposit deposit) {
     if (!(v_radius_texels < most_ring_texels)) {
         LightRay ray = light_ray(v_face, texel_in_face());
         float part;
-        bool is_met = sphere_chord(ray, v_sphere.xyz, v_sphere.w, deposit.depth, deposit.depth_end, part);
+        bool is_met = sphere_chord(ray, v_sphere.xyz, v_sphere.w, u_profile, deposit.depth, deposit.depth_end, part);
         deposit.optical_depth = part * through_center;
         return is_met;
     }
@@ -30,7 +31,8 @@ bool covers(out Deposit deposit) {
     float depths_a_texel = 1.0 / (u_light_texels_per_unit * u_light_depth_range);
 #endif
     SphereCoverage coverage;
-    if (!sphere_coverage(v_center.xy, v_radius_texels, through_center, texel_in_face(), coverage)) return false;
+    if (!sphere_coverage(v_center.xy, v_radius_texels, through_center, u_profile, texel_in_face(), coverage))
+        return false;
     float half_length = coverage.half_length * depths_a_texel;
     deposit.depth = v_center.z - half_length;
     deposit.depth_end = v_center.z + half_length;

@@ -16,7 +16,9 @@ struct Receiver {
     // Its own caster; opacity 0 where it lies on none, or where nothing is to be corrected.
     float opacity;
     float width_texels;  // of its strand or particle; 0 elsewhere
-    vec3 direction;      // of its strand, one texel long on the major axis; surface: xy = slope
+    // Of its strand, one texel long on the major axis; of a surface xy = slope; of a particle x =
+    // its profile (lib/density_profile.glsl).
+    vec3 direction;
     vec2 ends;           // how far its strand reaches both ways, in directions
     bool on_strand;      // no opaque surface that it lies on can shadow itself
     float own_reach;     // world units toward the light: half of its own voxel
@@ -100,8 +102,8 @@ OwnDeposit own_surface_deposit(Receiver receiver, vec2 texel) {
 // The one in whose middle it is.
 OwnDeposit own_particle_deposit(Receiver receiver, vec2 texel) {
     SphereCoverage coverage;
-    if (!sphere_coverage(receiver.p_ls.xy, 0.5 * receiver.width_texels, optical_depth_of(receiver.opacity), texel,
-                         coverage))
+    if (!sphere_coverage(receiver.p_ls.xy, 0.5 * receiver.width_texels, optical_depth_of(receiver.opacity),
+                         int(receiver.direction.x), texel, coverage))
         return no_own_deposit;
     float half_length = coverage.half_length / (receiver.texels_per_unit * u_light_depth_range);
     float begin = max(receiver.p_ls.z - half_length, 0.0);

@@ -1,8 +1,9 @@
-// The chord of a sphere that a ray passes before anything opaque. All of a particle is lit as its
+// The chord of a particle that a ray passes before anything opaque. All of a particle is lit as its
 // middle is, its own half of the way to the light left out.
 flat in vec3 v_center_vs;
 flat in float v_radius;  // view space
 in float v_opacity;
+uniform int u_profile;  // lib/density_profile.glsl
 
 vec3 shaded(vec3 to_eye) {
     Arriving arriving = arriving_at(v_center_vs);
@@ -19,11 +20,12 @@ void main() {
     float half_chord = sqrt(half_squared);
     float begin = max(middle - half_chord, 0.0), end = min(middle + half_chord, distance_to_solid(way));
     if (!(end > begin)) discard;
-    float optical_depth = optical_depth_of(v_opacity) * (end - begin) / (2.0 * v_radius);
+    float part = chord_depth_within(u_profile, half_chord / v_radius, (begin - middle) / v_radius,
+                                    (end - middle) / v_radius);
     vec3 color = vec3(0.0);
 #ifndef COUNTED
     color = shaded(-way);
 #endif
-    add_sample(color, opacity_of(optical_depth), way * (0.5 * (begin + end)));
+    add_sample(color, opacity_of(optical_depth_of(v_opacity) * part), way * (0.5 * (begin + end)));
     write_samples();
 }

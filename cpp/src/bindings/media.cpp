@@ -1,6 +1,8 @@
 // Particles and volumes.
 #include <pybind11/stl.h>
 
+#include <string>
+
 #include "bindings/shape_lock.hpp"
 #include "opacity/scene/particles.hpp"
 #include "opacity/scene/volume.hpp"
@@ -9,13 +11,14 @@ namespace opacity::bindings {
 namespace {
 
 std::shared_ptr<Particles> make_particles(const py::array& centers, const py::array& radius,
-                                          const py::array& opacity, const py::array& color) {
+                                          const py::array& opacity, const py::array& color,
+                                          const std::string& profile) {
     Positions xyz = to_positions(centers);
     std::vector<float> radii = to_floats(radius), opacities = to_floats(opacity);
     std::vector<float3> colors = to_float3s(color);
     const py::gil_scoped_release release;
     return std::make_shared<Particles>(std::move(xyz), std::move(radii), std::move(opacities),
-                                       std::move(colors));
+                                       std::move(colors), density_profile(profile));
 }
 
 std::shared_ptr<Volume> make_volume(const py::array& extinction, const double3& origin,
@@ -42,9 +45,17 @@ void bind_media(py::module_& module) {
              [](const Particles& self) {
                  return take(copied(self, [](const Particles& p) { return p.radius(); }));
              })
-        .def("set_radius", [](Particles& self, const py::array& values) {
-            std::vector<float> radius = to_floats(values);
-            without_interpreter([&] { self.set_radius(std::move(radius)); });
+        .def("set_radius",
+             [](Particles& self, const py::array& values) {
+                 std::vector<float> radius = to_floats(values);
+                 without_interpreter([&] { self.set_radius(std::move(radius)); });
+             })
+        .def("profile",
+             [](const Particles& self) {
+                 return to_string(copied(self, [](const Particles& p) { return p.profile(); }));
+             })
+        .def("set_profile", [](Particles& self, const std::string& name) {
+            without_interpreter([&] { self.set_profile(density_profile(name)); });
         });
     py::classh<Volume, Shape>(module, "Volume")
         .def(py::init(&make_volume))

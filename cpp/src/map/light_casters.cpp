@@ -4,7 +4,6 @@
 
 #include "map/voxels.hpp"
 #include "opacity/scene/mesh.hpp"
-#include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
 
 namespace opacity {
@@ -65,8 +64,9 @@ void copy_geometry(LightCaster& caster, const Shape& shape) {
         const bool has_alpha = mesh->has_alpha();
         caster.uvs = has_alpha ? mesh->uvs() : std::vector<float2>{};
         caster.coverage = has_alpha ? coverage_levels(*mesh) : std::vector<TextureMap>{};
-    } else if (dynamic_cast<const Particles*>(&shape)) {
+    } else if (const auto* particles = dynamic_cast<const Particles*>(&shape)) {
         caster.kind = CasterKind::particles;
+        caster.profile = particles->profile();
     } else if (const auto* volume = dynamic_cast<const Volume*>(&shape)) {
         caster.kind = CasterKind::volume;
         caster.slabs = slabs_of(*volume);

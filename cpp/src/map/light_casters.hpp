@@ -10,6 +10,7 @@
 #include "map/alpha.hpp"
 #include "map/volume_slabs.hpp"
 #include "opacity/scene/light_space.hpp"
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/shape.hpp"
 
 namespace opacity {
@@ -23,6 +24,7 @@ struct LightCaster {
     std::vector<float4> points;
     std::vector<std::uint32_t> indices;  // first points of segments; or corners of triangles
     std::vector<float> opacity;          // one for all, or one a point
+    DensityProfile profile = DensityProfile::sphere;  // of particles
     // Of a mesh with an alpha map, else none.
     std::vector<float2> uvs;
     std::vector<TextureMap> coverage;

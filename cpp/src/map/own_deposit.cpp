@@ -38,7 +38,7 @@ OwnDeposit own_particle_deposit(const SeenReceiver& receiver, const float2& texe
                                 float depth_range) {
     const auto coverage =
         sphere_coverage({receiver.p_ls[0], receiver.p_ls[1]}, 0.5f * receiver.width_texels,
-                        optical_depth_of(receiver.opacity), texel);
+                        optical_depth_of(receiver.opacity), profile_of(receiver), texel);
     if (!coverage) return {};
     const float half_length = coverage->half_length / (receiver.texels_per_unit * depth_range);
     const float begin = std::max(receiver.p_ls[2] - half_length, 0.f);

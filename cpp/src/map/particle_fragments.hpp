@@ -44,14 +44,15 @@ void particle_fragments(const LightCaster& caster, std::size_t particle,
         for (int x = within(sphere->low[0], 0, size_px); x < last_column; ++x) {
             const float2 middle{float(x) + 0.5f, float(y) + 0.5f};
             if (sphere->is_met_by_rays()) {
-                const auto chord =
-                    sphere_chord(sphere->face->ray(middle), sphere->center_q, sphere->radius_q);
+                const auto chord = sphere_chord(sphere->face->ray(middle), sphere->center_q,
+                                                sphere->radius_q, caster.profile);
                 if (chord)
                     sink(x, y, chord->begin, chord->end,
                          [&] { return chord->part * optical_depth; });
                 continue;
             }
-            const auto coverage = sphere_coverage(center, sphere->radius, optical_depth, middle);
+            const auto coverage =
+                sphere_coverage(center, sphere->radius, optical_depth, caster.profile, middle);
             if (!coverage) continue;
             const float half_length = coverage->half_length * sphere->depths_a_texel;
             sink(x, y, sphere->center[2] - half_length, sphere->center[2] + half_length,

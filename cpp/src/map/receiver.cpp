@@ -6,7 +6,6 @@
 
 #include "map/surface.hpp"
 #include "opacity/scene/mesh.hpp"
-#include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
 #include "opacity/scene/volume.hpp"
 #include "scene/bias.hpp"
@@ -99,6 +98,7 @@ void tell_particles(std::vector<Receiver>& list, const Particles& particles,
     for (std::size_t i = 0; i < list.size(); ++i) {
         list[i].width_texels = float(at_or_only(particles.radius(), i) * to_texels);
         list[i].opacity = at_or_only(particles.opacity(), i);
+        list[i].direction[0] = float(particles.profile());
     }
 }
 

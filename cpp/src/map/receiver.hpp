@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "map/face.hpp"
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/scene.hpp"
 #include "scene/light_fit.hpp"
 #include "scene/receivers.hpp"
@@ -17,8 +18,10 @@ namespace opacity {
 struct Receiver {
     float3 p_ls{};
     float width_texels = 0.f;  // of its strand or particle; 0 elsewhere
-    float3 direction{};   // of its strand, one texel long on the major axis; surface: xy = slope
-    float opacity = 0.f;  // of its own caster; 0 where it lies on none
+    // Of its strand, one texel long on the major axis; of a surface xy = slope; of a particle x =
+    // DensityProfile.
+    float3 direction{};
+    float opacity = 0.f;         // of its own caster; 0 where it lies on none
     float ends[2] = {0.f, 0.f};  // how far its strand reaches both ways, in directions
     float on_strand = 0.f;       // or 1: no opaque surface that it lies on can shadow itself
     float own_reach = 0.f;       // world units toward the light: half of its own voxel
@@ -27,6 +30,9 @@ static_assert(sizeof(Receiver) == 12 * sizeof(float));  // a multiple of four, a
 
 inline bool is_at_particle(const Receiver& receiver) {
     return receiver.width_texels > 0.f && !(receiver.on_strand > 0.f);
+}
+inline DensityProfile profile_of(const Receiver& receiver) {
+    return DensityProfile(int(receiver.direction[0]));
 }
 // Others have none that could shadow itself.
 inline bool has_plane(const Receiver& receiver) {

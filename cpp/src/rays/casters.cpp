@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "opacity/scene/mesh.hpp"
-#include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
 #include "opacity/scene/volume.hpp"
 #include "rays/crossing.hpp"
@@ -91,7 +90,7 @@ void add(const Particles& particles, Casters& casters) {
     for (std::size_t i = 0; i < particles.points().size(); ++i)
         casters.spheres.push_back({point_of(particles, i, casters.frame),
                                    scale * at(particles.radius(), i),
-                                   optical_depth(at(particles.opacity(), i))});
+                                   optical_depth(at(particles.opacity(), i)), particles.profile()});
 }
 
 void add(const Caster& caster, const Shape* own, Casters& casters) {

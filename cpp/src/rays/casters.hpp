@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "opacity/scene/particles.hpp"
 #include "opacity/scene/scene.hpp"
 #include "rays/coverage.hpp"
 #include "rays/frame.hpp"
@@ -23,6 +24,7 @@ struct Sphere {
     double3 center;
     double radius;
     double optical_depth;  // through the centre
+    DensityProfile profile;
 };
 
 // Triangles first .. end - 1, which an alpha map covers.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "scene/density_profile.hpp"
+
 namespace opacity::rays {
 namespace {
 
@@ -79,7 +81,7 @@ class Nearest {
         if (crossing_ && squared_ <= p.squared) return;
         const Vertex* vertex = &casters_.vertices[casters_.segments[segment]];
         const double distance = std::lerp(p.distance_first, p.distance_last, along);
-        crossing_ = {distance, distance,
+        crossing_ = {distance,
                      optical_depth(std::lerp(vertex[0].opacity, vertex[1].opacity, along))};
         squared_ = p.squared;
     }
@@ -120,13 +122,6 @@ double coverage(const Casters& casters, std::uint32_t triangle, const std::array
 
 double optical_depth(double opacity) {
     return -std::log1p(-std::min(opacity, 1.0 - 0x1p-24));
-}
-
-double within(const Span& span, const Crossing& crossing) {
-    const auto& [in, out, depth] = crossing;
-    if (!(out > in)) return in > span.from && in < span.to ? depth : 0.0;
-    const double length = std::min(out, span.to) - std::max(in, span.from);
-    return length > 0.0 ? length / (out - in) * depth : 0.0;
 }
 
 bool touches(const Casters& casters, const Ray& ray, std::uint32_t segment) {
@@ -173,15 +168,19 @@ std::optional<Crossing> cross_triangle(const Casters& casters, const Ray& ray,
         opacity += weight[i] / sum * vertex[i]->opacity;
         for (std::size_t k = 0; k < 2; ++k) uv[k] += weight[i] / sum * vertex[i]->uv[k];
     }
-    return Crossing{distance, distance, optical_depth(opacity * coverage(casters, triangle, uv))};
+    return Crossing{distance, optical_depth(opacity * coverage(casters, triangle, uv))};
 }
 
-std::optional<Crossing> cross_sphere(const Sphere& sphere, const Ray& ray) {
+double optical_depth_through(const Sphere& sphere, const Ray& ray, const Span& span) {
     const double3 seen = ray.seen(sphere.center);
     const double squared = sphere.radius * sphere.radius - squared_across(seen);
-    if (!(squared > 0.0)) return {};
+    if (!(squared > 0.0)) return 0.0;
     const double half = std::sqrt(squared);
-    return Crossing{seen[2] - half, seen[2] + half, half / sphere.radius * sphere.optical_depth};
+    const double begin = std::max(-half, span.from - seen[2]);
+    const double end = std::min(half, span.to - seen[2]);
+    if (!(end > begin)) return 0.0;
+    return sphere.optical_depth * chord_depth_within(sphere.profile, half / sphere.radius,
+                                                     begin / sphere.radius, end / sphere.radius);
 }
 
 }  // namespace opacity::rays

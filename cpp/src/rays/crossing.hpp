@@ -13,14 +13,13 @@ namespace opacity::rays {
 // -log(1 - opacity); opacity 1 on what is not an opaque mesh is the next smaller float32.
 double optical_depth(double opacity);
 
-// Distances are from the ray's origin, in the frame's units; they may be negative.
+// Of a strand or a surface, which have no extent along the ray.
 struct Crossing {
-    double in, out;  // the same on a strand and a surface, which have no extent along the ray
+    double distance;  // from the ray's origin, in the frame's units; may be negative
     double optical_depth;
-};
 
-// What of the optical depth lies within the span: of an interval that is cut, a part.
-double within(const Span& span, const Crossing& crossing);
+    bool is_within(const Span& span) const { return distance > span.from && distance < span.to; }
+};
 
 // Segments of one strand that follow one another, joined at points that lie within half the width
 // of the ray. However many they are, the strand is crossed there once, where its axis passes the
@@ -37,7 +36,7 @@ Stretch stretch_around(const Casters& casters, const Ray& ray, std::uint32_t seg
 // A ray through an edge or a corner that triangles share crosses one of them.
 std::optional<Crossing> cross_triangle(const Casters& casters, const Ray& ray,
                                        std::uint32_t triangle);
-// Of constant density: optical depth goes with the chord.
-std::optional<Crossing> cross_sphere(const Sphere& sphere, const Ray& ray);
+// Along the part of the chord that lies within the span.
+double optical_depth_through(const Sphere& sphere, const Ray& ray, const Span& span);
 
 }  // namespace opacity::rays

@@ -25,8 +25,8 @@ bool Hits::visit(std::uint32_t primitive) {
         case Kind::triangle:
             return visit_triangle(primitive, index);
         case Kind::sphere:
-            if (const auto crossing = cross_sphere(casters_.spheres[index], ray_))
-                hits_.push_back({primitive, within(span_, *crossing)});
+            hits_.push_back(
+                {primitive, optical_depth_through(casters_.spheres[index], ray_, span_)});
             return true;
         case Kind::volume:
             hits_.push_back({primitive, casters_.volumes[index].optical_depth(ray_, span_)});
@@ -37,7 +37,7 @@ bool Hits::visit(std::uint32_t primitive) {
 
 bool Hits::visit_triangle(std::uint32_t primitive, std::uint32_t triangle) {
     const auto crossing = cross_triangle(casters_, ray_, triangle);
-    if (!crossing || !(crossing->in > span_.from && crossing->in < span_.to)) return true;
+    if (!crossing || !crossing->is_within(span_)) return true;
     blocked_ = triangle >= casters_.first_opaque;
     hits_.push_back({primitive, crossing->optical_depth});
     return !blocked_;
@@ -48,7 +48,8 @@ double Hits::optical_depth_of_strands(std::size_t& next) const {
     double sum = 0.0;
     while (next < hits_.size() && hits_[next].primitive < casters_.segments.size()) {
         const Stretch stretch = stretch_around(casters_, ray_, hits_[next].primitive);
-        if (stretch.crossing) sum += within(span_, *stretch.crossing);
+        if (stretch.crossing && stretch.crossing->is_within(span_))
+            sum += stretch.crossing->optical_depth;
         while (next < hits_.size() && hits_[next].primitive <= stretch.last) ++next;
     }
     return sum;

@@ -61,6 +61,7 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
                                                       float(gpu.spacing[2])});
     feeder.uniform("u_segment_count", gpu.segment_count);
     feeder.uniform("u_width_scale", gpu.width_scale);
+    feeder.uniform("u_profile", gpu.profile);
     feeder.uniform("u_receiver_width", gpu.receiver_width);
     if (declared(pass, pass.draws->opacity)) {
         feed_buffer("opacity", gpu.opacity);

@@ -135,6 +135,8 @@ void GpuShapes::upload_geometry(GpuShape& gpu, const Shape& shape) {
         refresh(gpu.segments, Part::segments, now,
                 [&] { return make_buffer(context_, strands->segments()); });
     }
+    if (const auto* particles = dynamic_cast<const Particles*>(&shape))
+        gpu.profile = int(particles->profile());
     gpu.index_count = int(6 * quads);
     refresh(gpu.indices, Part::indices, now,
             [&] { return make_buffer(context_, quad_triangles(quads)); });

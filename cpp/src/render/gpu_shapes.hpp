@@ -39,6 +39,7 @@ struct GpuShape {
     double4x4 local_from_voxels = identity;  // of a volume: its coordinates from those of voxels
     double3 spacing{1, 1, 1};
     float width_scale = 1.f;
+    int profile = 0;             // of particles: DensityProfile
     float receiver_width = 0.f;  // world units; 0 for a surface
     bool receives = true, opaque = false;
     bool deposits = false;  // whether the opacity maps hold what own_correction takes out
