@@ -87,6 +87,17 @@ def test_the_cpu_agrees(needs_gl, name):
         assert np.mean(np.abs(gpu - cpu) > 1e-4) < 2e-3
 
 
+@pytest.mark.parametrize("device", ["gpu", "cpu"])
+def test_a_far_leaf_half_of_whose_texels_are_cut_lets_half_through(needs_gl, device):
+    """At every single point, as its texels are far smaller than the map's."""
+    y, x = np.indices((256, 256))
+    leaf = sheet((x + y) % 2)
+    for size in (8, 20, 33):
+        assert np.allclose(
+            behind(leaf, grid(9, reach=0.7), map_size=size, device=device), 0.5, atol=0.01
+        )
+
+
 def test_sheets_multiply(needs_gl):
     leaves = [sheet(np.full((2, 2), 0.3), "blend") for _ in range(5)]
     for n, leaf in enumerate(leaves):

@@ -19,7 +19,15 @@ def parts():
     return [
         po.Strands(points, offsets, width=0.3, opacity=0.4),
         po.Mesh(square, np.array([(0, 1, 2), (0, 2, 3)]), opacity=0.5),
+        po.Mesh(
+            square - (0.0, 0.0, 2.0),
+            np.array([(0, 1, 2), (0, 2, 3)]),
+            uvs=np.ascontiguousarray(square[:, :2]),
+            alpha_map=random.uniform(0, 1, (5, 7)).astype(np.float32),
+            alpha_mode="blend",
+        ),
         po.Particles(random.uniform(-6, 6, (60, 3)), radius=1.0, opacity=0.3),
+        po.Particles(random.uniform(-6, 6, (60, 3)), radius=1.5, opacity=0.4, profile="metaball"),
         po.Volume(random.uniform(0, 0.1, (8, 8, 8)), origin=(-4.0, -4.0, -4.0)),
     ]
 
