@@ -6,103 +6,95 @@ model is not there is left as it is.
 
 from __future__ import annotations
 
-import os
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 import pyopacity as po
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
+import real_models
+from real_models import Vector
+
 HERE = Path(__file__).resolve().parent
-DATA = Path(os.environ.get("PYOPACITY_DATA", HERE.parents[2] / "shared" / "data"))
-SIZE = (560, 420)
-SKY = (0.62, 0.68, 0.75, 1.0)
+
+SKY = (0.42, 0.54, 0.68, 1.0)
+OPTIONS = {"size": (560, 420), "map_size": 512, "antialiasing": 3, "background": SKY}
 
 
-def sphere(center: tuple[float, float, float], radius: float, rows: int = 48) -> po.Mesh:
-    """An opaque ball of 2 * rows columns."""
-    columns = 2 * rows
-    polar = np.linspace(0, np.pi, rows + 1)[:, None]
-    around = np.linspace(0, 2 * np.pi, columns + 1)[None, :]
-    unit = np.stack(
-        np.broadcast_arrays(
-            np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around), np.cos(polar)
-        ),
-        axis=-1,
-    ).reshape(-1, 3)
-    first = (np.arange(rows)[:, None] * (columns + 1) + np.arange(columns)).reshape(-1, 1)
-    quads = first + np.array([0, columns + 1, 1, 1, columns + 1, columns + 2])
-    return po.Mesh(unit * radius + center, quads.reshape(-1, 3), color=(0.75, 0.6, 0.5))
+@dataclass(frozen=True)
+class Picture:
+    """A model as a camera sees it.
+
+    Attributes:
+        model: its name in benchmarks/real_models.py, or of a generated one.
+        view: the direction in which the camera looks.
+        light: in which light travels; None for that of all benchmarks.
+        intensity: of the light.
+        zoom: how much larger than all of it fits.
+    """
+
+    model: str
+    view: Vector
+    light: Vector | None = None
+    intensity: float = 1.3
+    zoom: float = 1.0
 
 
-def ground(box: po.Bounds, up: int) -> po.Mesh:
-    """A square below a box, six times as wide, that receives and does not cast."""
-    center = 0.5 * (box.min + box.max)
-    half = 3.0 * float(np.max(box.max - box.min))
-    across = [axis for axis in range(3) if axis != up]
-    corners = np.tile(center, (4, 1))
-    corners[:, across] += half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-    corners[:, up] = box.min[up]
-    normals = np.zeros((4, 3))
-    normals[:, up] = 1.0
-    mesh = po.Mesh(
-        corners, np.array([[0, 1, 2], [0, 2, 3]]), normals=normals, color=(0.5, 0.5, 0.5)
-    )
-    mesh.casts = False
-    return mesh
+FRONT, LEFT = (0.3, 1.0, -0.25), (0.4, -1.0, -0.3)  # where shadows fall behind, and to the left
 
-
-def straight() -> list[po.Shape]:
-    """The model of the deep opacity maps paper, with a ball for its head."""
-    shapes = po.load(str(DATA / "hair/straight.hair"))
-    shapes[0].opacity = 0.3
-    shapes[0].color = (0.62, 0.42, 0.22)
-    return [*shapes, sphere((-0.06, -0.23, 38.63), 18.5)]
-
-
-def bear() -> list[po.Shape]:
-    """Fur on its body."""
-    fur = po.load(str(DATA / "hair/bear.hair"))
-    fur[0].opacity = 0.3
-    fur[0].color = (0.5, 0.36, 0.24)
-    body = po.load(str(DATA / "opaque/bear_body.obj"))
-    body[0].color = (0.18, 0.13, 0.1)
-    return [*fur, *body]
-
-
-# name: shapes, up axis, direction of the light, direction of the view
 PICTURES = {
-    "demo_hair": (lambda: po.load("demo:hair"), 2, (0.5, 0.3, -0.8), (0.3, 1.0, -0.25)),
-    "demo_curly": (
-        lambda: po.load("demo:hair?style=curly"),
-        2,
-        (0.5, 0.3, -0.8),
-        (0.3, 1.0, -0.25),
-    ),
-    "demo_fur": (lambda: po.load("demo:fur"), 2, (0.5, 0.3, -0.8), (0.3, 1.0, -0.25)),
-    "demo_teapot": (lambda: po.load("demo:teapot"), 2, (0.5, 0.3, -0.8), (0.3, 1.0, -0.4)),
-    "straight_lit_side": (straight, 2, (0.5, 0.3, -0.8), (0.6, 0.8, -0.3)),
-    "straight_far_side": (straight, 2, (0.5, 0.3, -0.8), (-1.0, -0.5, -0.3)),
-    "straight_backlit": (straight, 2, (-0.3, -1.0, -0.25), (0.2, 1.0, -0.15)),
-    "bear": (bear, 1, (0.6, -0.8, -0.3), (0.5, -0.3, -1.0)),
-    "bear_far_side": (bear, 1, (0.6, -0.8, -0.3), (-0.9, -0.3, 0.4)),
+    "demo_hair": Picture("demo:hair", FRONT),
+    "demo_curly": Picture("demo:hair?style=curly", FRONT),
+    "demo_fur": Picture("demo:fur", FRONT),
+    "demo_teapot": Picture("demo:teapot", (0.3, 1.0, -0.4)),
+    "straight_lit_side": Picture("straight.hair", (0.6, 0.8, -0.3)),
+    "straight_far_side": Picture("straight.hair", (-1.0, -0.5, -0.3)),
+    "straight_backlit": Picture("straight.hair", (0.2, 1.0, -0.15), (-0.3, -1.0, -0.25)),
+    "bear": Picture("bear.hair on its body", (0.5, -0.3, -1.0)),
+    "bear_far_side": Picture("bear.hair on its body", (-0.9, -0.3, 0.4)),
+    "ponytail": Picture("ponytail.hair on its head", (0.8, -0.15, -0.6), zoom=1.3),
+    "san_miguel": Picture("San Miguel, leaves", (0.3, -0.3, 1.0), intensity=1.7, zoom=1.2),
+    "oak": Picture("oak", (0.3, -0.25, 1.0), zoom=1.2),
+    "nettle": Picture("nettle", (-0.4, 1.0, -0.5), zoom=1.4),
+    "thesis_tree": Picture("thesis, tree", (0.3, -0.3, 1.0), zoom=1.3),
+    "thesis_plant": Picture("thesis, plant", (0.3, -0.5, 1.0), zoom=1.4),
+    "smoke": Picture("smoke", (0.3, -0.12, 1.0), (0.8, -0.5, -0.1), 1.1, zoom=1.3),
+    "stratocumulus": Picture("stratocumulus", (0.3, 1.0, -0.4), (0.8, -0.3, -0.5), 0.9, zoom=1.2),
+    "lidar_forest": Picture("lidar forest", (0.3, 1.0, -0.4), (0.8, -0.1, -0.6), 1.5, zoom=1.4),
+    "demo_tree": Picture("demo:tree", LEFT, zoom=1.2),
+    "demo_meadow": Picture("demo:grass", (0.4, -1.0, -0.4), zoom=1.8),
+    "demo_smoke": Picture("demo:smoke", LEFT, (-0.8, -0.2, -0.6), 1.1, zoom=1.2),
+    "demo_clouds": Picture("demo:clouds", (0.3, 1.0, -0.35), (-0.8, 0.0, -0.6), 1.1, zoom=1.3),
+    "demo_plume": Picture("demo:plume", LEFT, (-0.7, -0.3, -0.7), zoom=1.0),
+    "demo_mixed": Picture("demo:mixed", LEFT, zoom=1.3),
 }
 
 
+def camera(casters: list[po.Shape], picture: Picture, up: int) -> po.Camera:
+    """Sees all of them, or their middle from nearer."""
+    fitted = po.Camera.fit(casters, picture.view, np.eye(3)[up].tolist())
+    x, y, z = np.add(fitted.target, np.subtract(fitted.eye, fitted.target) / picture.zoom)
+    return po.Camera.look_at((x, y, z), fitted.target, fitted.up, fitted.fov_deg)
+
+
 def render(name: str) -> None:
-    make, up, light, view = PICTURES[name]
-    shapes = make()
+    picture = PICTURES[name]
+    model = real_models.model(picture.model)
+    shapes = model.make()
     casters = [shape for shape in shapes if shape.casts]
-    scene = po.Scene()
-    scene.add(shapes)
+    scene = po.Scene(shapes)
     if len(casters) == len(shapes):
-        scene.add(ground(po.Bounds.union(shape.bounds for shape in shapes), up))
-    scene.add(po.DirectionalLight(direction=light, intensity=1.3))
-    camera = po.Camera.fit(casters, view, np.eye(3)[up].tolist())
+        scene.add(real_models.wide_ground(casters, model))
+    else:
+        shapes[-1].transform = np.diag((20.0, 20.0, 1.0, 1.0))  # to the horizon
+    direction = picture.light or model.light
+    scene.add(po.DirectionalLight(direction, intensity=picture.intensity))
     technique = po.technique("bounding_opacity_maps", layers=16)
-    options = {"size": SIZE, "map_size": 512, "antialiasing": 3, "background": SKY}
-    with po.Renderer(scene, camera, technique=technique, **options) as r:
+    view = camera(casters, picture, model.up)
+    with po.Renderer(scene, view, technique=technique, **OPTIONS) as r:
         po.save_image(HERE / f"{name}.png", r.render())
         print(f"{name}\n{r.report}")
 
