@@ -6,7 +6,7 @@
 struct Query {
     vec4 p_ls;  // w: width_texels
     vec4 direction;  // w: opacity
-    vec4 ends;  // z: 1 on a strand; w: own_reach
+    vec4 ends;  // z: 1 on a strand, 2 on a surface; w: own_reach
 };
 layout(std430) readonly buffer b_query { Query queries[]; };
 layout(std430) writeonly buffer b_transmittance { float transmittance[]; };
@@ -22,7 +22,8 @@ void main() {
     receiver.width_texels = query.p_ls.w;
     receiver.direction = query.direction.xyz;
     receiver.ends = query.ends.xy;
-    receiver.on_strand = query.ends.z > 0.5;
+    receiver.on_strand = query.ends.z == 1.0;
+    receiver.on_surface = query.ends.z == 2.0;
     receiver.own_reach = query.ends.w;
     transmittance[index] = shadow_transmittance(receiver);
 }

@@ -355,7 +355,7 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
         {"#include \"lib/receiver.glsl\"\n", 13, 3,
          "Receiver r = point_receiver(given3(0), 0.0); r.opacity = given(4);\n"
          "r.width_texels = given(3); r.direction = given3(5); r.ends = given2(8);\n"
-         "r.on_strand = given(12) > 0.5;\n"
+         "r.on_strand = given(12) == 1.0; r.on_surface = given(12) == 2.0;\n"
          "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
          "result(0) = own.depth; result(1) = own.depth_end; result(2) = own.optical_depth;"}};
     set_space(evaluator, space);
@@ -375,7 +375,7 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
         const float reach = i % 7 ? 2.f : 9.f;
         row.insert(row.end(),
                    {std::floor(x + random(-reach, reach)), std::floor(y + random(-reach, reach))});
-        row.push_back(surface || i % 11 == 0 ? 0.f : 1.f);  // else in a particle
+        row.push_back(surface ? on_surface : i % 11 ? on_strand : on_nothing);  // in a particle
         given.push_back(row);
     }
     const Table found = evaluator(given);
@@ -387,7 +387,7 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
                                     .direction = {row[5], row[6], row[7]},
                                     .opacity = row[4],
                                     .ends = {row[8], row[9]},
-                                    .on_strand = row[12]};
+                                    .lies_on = row[12]};
             const OwnDeposit own =
                 own_deposit(seen(receiver, space), int(row[10]), int(row[11]), space.depth_range);
             return Row{own.depth, own.depth_end, own.optical_depth};

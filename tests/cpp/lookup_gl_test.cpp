@@ -82,16 +82,17 @@ std::vector<float> opaque_depth(const Setup& setup) {
     return depth;
 }
 
-// Strands see it somewhat nearer to the light.
-std::vector<float> opaque_surface(std::vector<float> depth) {
+// For bare points it lies somewhat farther from the light.
+std::vector<float> opaque_moved(std::vector<float> depth) {
     for (float& d : depth)
-        if (d < 1.f) d *= 0.9f;
+        if (d < 1.f) d = std::min(1.1f * d, 1.f);
     return depth;
 }
 
-// Position, width in world units, opacity, width in texels, direction, ends: 11 floats.
+// Position, width in world units, opacity, width in texels, direction, ends, what it lies on: 12
+// floats.
 Row receiver_row(float x, float y, float z) {
-    return {x, y, z, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f};
+    return {x, y, z, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, 0.f, on_nothing};
 }
 
 Table receivers(int size_px, int count) {
@@ -105,10 +106,10 @@ Table receivers(int size_px, int count) {
         if (i % 10 == 0) row[1] = std::round(2.f * row[1]) / 2.f;
         row[3] = random.below(2) ? random(0, 0.3f) : 0.f;
         if (i % 3 == 1)  // on a strand
-            row = {row[0],        row[1],       row[2],
-                   row[3],        random(0, 1), random(0.05f, 2),
-                   random(-1, 1), 1.f,          random(-.1f, .1f),
-                   -64.f,         random(0, 64)};
+            row = {row[0],        row[1],        row[2],
+                   row[3],        random(0, 1),  random(0.05f, 2),
+                   random(-1, 1), 1.f,           random(-.1f, .1f),
+                   -64.f,         random(0, 64), on_strand};
         if (i % 3 == 2)  // on a surface
             row = {row[0],
                    row[1],
@@ -120,7 +121,8 @@ Table receivers(int size_px, int count) {
                    random(-.1f, .1f),
                    0.f,
                    0.f,
-                   0.f};
+                   0.f,
+                   on_surface};
         rows.push_back(row);
     }
     return rows;
@@ -132,8 +134,8 @@ class BothSides {
         : space_{space_of(setup)},
           map_{setup.size_px},
           opaque_depth_{opaque_depth(setup)},
-          opaque_surface_{opaque_surface(opaque_depth_)},
-          cpp_{space_, map_, {opaque_depth_, opaque_surface_}, filter_of(setup), setup.bias},
+          opaque_moved_{opaque_moved(opaque_depth_)},
+          cpp_{space_, map_, {opaque_depth_, opaque_moved_}, filter_of(setup), setup.bias},
           glsl_{context, shader_of(setup)} {
         auto& program = glsl_.program();
         program.set("u_light_map_size_px", space_.map_size_px);
@@ -144,7 +146,7 @@ class BothSides {
         program.set("u_filter_radius", setup.radius);
         program.set("u_filter_width", -1.f);
         glsl_.set_map("t_opaque_depth", setup.size_px, opaque_depth_);
-        glsl_.set_map("t_opaque_surface", setup.size_px, opaque_surface_);
+        glsl_.set_map("t_opaque_moved", setup.size_px, opaque_moved_);
     }
     Table glsl(const Table& rows) { return glsl_(rows); }
     Row cpp(const Row& row) const {
@@ -153,7 +155,7 @@ class BothSides {
                                 .direction = {row[6], row[7], row[8]},
                                 .opacity = row[4],
                                 .ends = {row[9], row[10]},
-                                .on_strand = row[5] > 0.f ? 1.f : 0.f};
+                                .lies_on = row[11]};
         return {cpp_.transmittance(receiver, row[3])};
     }
 
@@ -164,20 +166,20 @@ class BothSides {
                 setup.density};
     }
     static harness::Shader shader_of(const Setup& setup) {
-        harness::Shader shader{made_up_map, 11, 1,
+        harness::Shader shader{made_up_map, 12, 1,
                                "Receiver r = point_receiver(given3(0), given(3));\n"
                                "r.opacity = given(4); r.width_texels = given(5);\n"
                                "r.direction = given3(6); r.ends = given2(9);\n"
-                               "r.on_strand = given(5) > 0.0;\n"
+                               "r.on_strand = given(11) == 1.0; r.on_surface = given(11) == 2.0;\n"
                                "result(0) = shadow_transmittance(r);"};
-        shader.defines = {{std::string{"FILTER_"} + setup.filter, "1"}};
+        shader.defines = {{std::string{"FILTER_"} + setup.filter, "1"}, {"BARE_POINTS", "1"}};
         if (setup.density) shader.defines.emplace_back("DENSITY_FILTER", "1");
         return shader;
     }
 
     LightSpace space_;
     MadeUpMap map_;
-    std::vector<float> opaque_depth_, opaque_surface_;
+    std::vector<float> opaque_depth_, opaque_moved_;
     MapLookUp cpp_;
     Evaluator glsl_;
 };

@@ -83,3 +83,13 @@ def _leaves(random: np.random.Generator) -> list[po.Mesh]:
         )
         for mode in ("mask", "blend")
     ]
+
+
+def flat_to_the_light(scene: po.Scene) -> None:
+    """Leaves no surface that knows more of itself than a point there: light from above, no ball.
+
+    Of :func:`conftest.tuft_and_ball`.
+    """
+    scene.remove(scene.lights[0])
+    scene.add(po.DirectionalLight((0.0, 0.0, -1.0)))
+    scene.shapes[1].casts = scene.shapes[1].receives = False

@@ -8,7 +8,7 @@ import numpy.typing as npt
 import pytest
 
 import pyopacity as po
-from scenes import impersonal
+from scenes import flat_to_the_light, impersonal
 
 pytestmark = pytest.mark.gl
 
@@ -130,7 +130,7 @@ def test_shading_is_linear_in_what_is_looked_up_there(
     """
     camera = po.Camera.fit(scene.shapes[:2])
     shadows = impersonal(technique, bias=0.05)
-    scene.shapes[1].opacity = 0.6  # opaque, strands would see it where it is, and points moved back
+    flat_to_the_light(scene)
     T = np.ones((32, 48))
     with po.Renderer(scene, camera, technique=shadows, **small) as renderer:
         picture = renderer.render()
@@ -140,7 +140,7 @@ def test_shading_is_linear_in_what_is_looked_up_there(
         lit = renderer.render()
     with po.Renderer(po.Scene(scene.shapes), camera, **small) as renderer:
         dark = renderer.render()
-    assert T.min() < 0.3 or technique == "unshadowed"
+    assert T.min() < 0.7 or technique == "unshadowed"
     assert np.abs(dark + T[..., None] * (lit - dark) - picture).max() < 1e-4
 
 

@@ -8,7 +8,7 @@ import pytest
 
 import pyopacity as po
 from pyopacity.reference_picture import picture_parts
-from scenes import impersonal
+from scenes import flat_to_the_light, impersonal
 
 pytestmark = pytest.mark.gl
 
@@ -28,7 +28,7 @@ def test_without_casters_it_is_the_unshadowed_picture(scene: po.Scene) -> None:
 @pytest.mark.parametrize("technique", list(po.techniques()))
 def test_with_a_techniques_own_light_it_is_its_picture(scene: po.Scene, technique: str) -> None:
     camera = po.Camera.fit(scene.shapes[:2])
-    scene.shapes[1].opacity = 0.6  # opaque, strands would see it where it is, and points moved back
+    flat_to_the_light(scene)
     parts = picture_parts(scene, camera, (48, 32), 2)
     shadows = impersonal(technique, bias=0.05)  # points know no strand of their own
     settings: dict[str, Any] = {"map_size": 64, "antialiasing": 2, "compositing": "opaque"}

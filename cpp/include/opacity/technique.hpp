@@ -25,11 +25,9 @@ Defines light_defines(const LightSpace& space);
 
 // What the renderer hands to every technique.
 struct ShadowInputs {
-    const View& light;      // light space: lib/light.glsl
-    DrawList& translucent;  // casters with an optical depth
-    // The first opaque caster in each texel, 1 where there is none: moved away from the light
-    // (lib/surface.glsl), and where it is.
-    const Texture &opaque_depth, &opaque_surface;
+    const View& light;            // light space: lib/light.glsl
+    DrawList& translucent;        // casters with an optical depth
+    const Texture& opaque_depth;  // of the first opaque caster in each texel, 1 where none is
     bool has_opaque;
     bool paper_deposit;  // one-texel lines of full opacity, as in the papers
     const LightSpace& space;

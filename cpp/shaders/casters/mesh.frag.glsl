@@ -25,7 +25,7 @@ in float v_opacity;
 
 bool covers(out Deposit deposit) {
     deposit.depth = depth_here();
-#ifndef AT_SURFACE
+#ifdef MOVED_BACK
     deposit.depth += surface_margin(slope_here(), texels_per_unit());
 #endif
     deposit.depth_end = deposit.depth;

@@ -19,13 +19,15 @@ float level_coverage(int level, vec2 uv) {
     return coverage;
 }
 
-// The level whose texels are as large as one of the light's map, between two levels in part; `dx`
-// and `dy` are how much uv changes from one texel of the map to the next along its x and y.
+// The level whose tents, from texel to texel, vary as a box over one texel of the light's map does:
+// half a level finer than the one whose texels are as large, since a tent is as wide as a box sqrt(2)
+// times as large. `dx` and `dy` are how much uv changes from one texel of the map to the next along
+// its x and y.
 float coverage_level(vec2 dx, vec2 dy) {
     ivec2 size = textureSize(t_alpha, 0);
     precise vec2 x = dx * vec2(size), y = dy * vec2(size);
     precise float largest = max(max(dot(x, x), dot(y, y)), 1.0);
-    precise float level = min(0.5 * log2(largest), float(findMSB(max(size.x, size.y))));
+    precise float level = clamp(0.5 * log2(largest) - 0.5, 0.0, float(findMSB(max(size.x, size.y))));
     return level;
 }
 

@@ -10,6 +10,7 @@ float camera_transmittance(vec3 p_vs, float opacity) {
     camera_Receiver receiver = camera_point_receiver(q, 0.0);
 #ifdef MESH
     receiver.opacity = opacity;
+    receiver.on_surface = true;
     receiver.direction = camera_surface_direction(dFdx(q), dFdy(q));
 #endif
     return max(camera_shadow_transmittance(receiver), least_seen);

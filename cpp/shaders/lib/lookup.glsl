@@ -8,8 +8,10 @@
 #include "lib/light.glsl"
 #include "lib/receiver.glsl"
 
-uniform sampler2D t_opaque_depth;    // moved away from the light, for surfaces: lib/surface.glsl
-uniform sampler2D t_opaque_surface;  // where it is, for strands
+uniform sampler2D t_opaque_depth;
+#ifdef BARE_POINTS
+uniform sampler2D t_opaque_moved;  // lib/surface.glsl
+#endif
 uniform float u_bias;              // world units; negative: automatic
 uniform float u_light_least_bias;  // world units
 
@@ -21,13 +23,31 @@ struct Taps {
     float optical_depth;  // weight times optical depth
 };
 
-// A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
-// of the receiver the margin of lib/surface.glsl takes care of; from two on the slope does.
+// What a curved surface may lie in front of its own plane, in texels.
+const float surface_bias_texels = 0.4;
+
+// A surface is looked up along its own plane, so that none of it shadows the rest.
 float depth_at(Receiver receiver, ivec2 texel, float depth) {
-    if (!has_plane(receiver)) return depth;
+    if (!receiver.on_surface) return depth;
     vec2 offset = vec2(texel) + 0.5 - receiver.p_ls.xy;
-    vec2 near = clamp(offset, -1.0, 1.0) * clamp(2.0 - abs(offset), 0.0, 1.0);
-    return depth + dot(limited_slope(receiver.direction.xy, receiver.texels_per_unit), offset - near);
+    return depth + plane_change(receiver.direction.xy, offset, receiver.texels_per_unit);
+}
+
+float first_opaque(Receiver receiver, ivec2 place) {
+#ifdef BARE_POINTS
+    if (is_bare(receiver)) return texelFetch(t_opaque_moved, place, 0).x;
+#endif
+    return texelFetch(t_opaque_depth, place, 0).x;
+}
+
+// World units toward the light within which nothing counts.
+float bias_of(Receiver receiver) {
+    float bias = u_bias;
+    if (u_bias < 0.0) {
+        bias = max(receiver.width, u_light_least_bias);
+        if (receiver.on_surface) bias = max(bias, surface_bias_texels / receiver.texels_per_unit);
+    }
+    return max(bias, receiver.own_reach);
 }
 
 // A map of up to three texels has no border: its outer texels stand for what lies beside them.
@@ -39,9 +59,7 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     float optical_depth = 0.0;
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
         ivec2 place = receiver.corner + texel;
-        float opaque = has_plane(receiver) ? texelFetch(t_opaque_depth, place, 0).x
-                                           : texelFetch(t_opaque_surface, place, 0).x;
-        if (opaque < min(depth, 1.0)) return;
+        if (first_opaque(receiver, place) < min(depth, 1.0)) return;
         optical_depth = max(0.0, texel_optical_depth(place, depth, own_deposit(receiver, texel)));
     }
     taps.lit += weight;
@@ -84,9 +102,7 @@ Taps filtered_taps(Receiver receiver, float depth) {
 
 // Through one face of the map.
 float face_transmittance(Receiver receiver) {
-    float bias = u_bias < 0.0 ? max(receiver.width, u_light_least_bias) : u_bias;
-    bias = max(bias, receiver.own_reach);
-    float depth = receiver.p_ls.z - bias / u_light_depth_range;
+    float depth = receiver.p_ls.z - bias_of(receiver) / u_light_depth_range;
     // Also false for a coordinate that is not finite: T = 1, never NaN. Not precise, a compiler may turn
     // the comparisons round, and NaN passes.
     float reach = largest_filter_radius + 1.0;

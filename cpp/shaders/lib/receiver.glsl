@@ -20,7 +20,7 @@ struct Receiver {
     // its profile (lib/density_profile.glsl).
     vec3 direction;
     vec2 ends;           // how far its strand reaches both ways, in directions
-    bool on_strand;      // no opaque surface that it lies on can shadow itself
+    bool on_strand, on_surface;
     float own_reach;     // world units toward the light: half of its own voxel
     ivec2 corner;           // the first texel of the face
     float texels_per_unit;  // 1 / the side of a texel there, in world units
@@ -35,14 +35,14 @@ struct OwnDeposit {
 const OwnDeposit no_own_deposit = OwnDeposit(0.0, 0.0, 0.0);
 
 Receiver point_receiver(vec3 p_ls, float width) {
-    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, 0.0, ivec2(0), u_light_texels_per_unit);
+    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, false, 0.0, ivec2(0), u_light_texels_per_unit);
 }
 
 bool is_at_particle(Receiver receiver) { return receiver.width_texels > 0.0 && !receiver.on_strand; }
 
-// Others have none that could shadow itself.
-bool has_plane(Receiver receiver) {
-    return !receiver.on_strand && receiver.width_texels == 0.0 && receiver.own_reach == 0.0;
+// Of none it is known what it lies on.
+bool is_bare(Receiver receiver) {
+    return !receiver.on_strand && !receiver.on_surface && receiver.width_texels == 0.0 && receiver.own_reach == 0.0;
 }
 
 // Of a surface that two vectors from the receiver span: what `direction` shall be.
@@ -70,7 +70,7 @@ Receiver seen_through(int face, Receiver receiver) {
         seen.width_texels = ribbon_width_by(face, q, v, width);
     } else if (receiver.width_texels > 0.0) {
         seen.width_texels *= seen.texels_per_unit / u_light_texels_per_unit;
-    } else if (dot(v, v) > 0.0) {
+    } else if (receiver.on_surface && dot(v, v) > 0.0) {
         vec3 a = cross(v, abs(v.x) < abs(v.y) ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
         vec3 b = cross(v, a);
         seen.direction = vec3(surface_slope(place_change_by(face, q, normalize(a)),
@@ -92,10 +92,10 @@ OwnDeposit own_strand_deposit(Receiver receiver, vec2 texel) {
 
 // Where the surface turns away from the light nothing is known of its neighbourhood.
 OwnDeposit own_surface_deposit(Receiver receiver, vec2 texel) {
-    vec2 slope = receiver.direction.xy;
-    float margin = surface_margin(slope, receiver.texels_per_unit);
-    if (margin >= largest_surface_margin(receiver.texels_per_unit)) return no_own_deposit;
-    float depth = receiver.p_ls.z + dot(slope, texel - receiver.p_ls.xy) + margin;
+    vec2 offset = texel - receiver.p_ls.xy;
+    float change = plane_change(receiver.direction.xy, offset, receiver.texels_per_unit);
+    if (abs(change) >= plane_limit(offset, receiver.texels_per_unit)) return no_own_deposit;
+    float depth = receiver.p_ls.z + change;
     return OwnDeposit(max(depth, 0.0), max(depth, 0.0), optical_depth_of(receiver.opacity));
 }
 

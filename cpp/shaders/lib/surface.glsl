@@ -1,6 +1,8 @@
-// A surface in the map is moved away from the light by its own slope over one texel, the reach of
-// the look-up's taps, so that no texel shadows its neighbour on the same plane; at silhouettes,
-// where the slope is unbounded, by eight texels. C++: map/surface.hpp.
+// The slope of surfaces in the map. A receiver on a surface knows its own, and looks texels up along
+// that plane. For points that may lie on any surface the opaque casters have a second depth map, in
+// which each is moved away from the light by its slope over one texel, the reach of the look-up's
+// taps, so that no texel shadows its neighbour on the same plane; at silhouettes, where the slope is
+// unbounded, by eight texels. C++: map/surface.hpp.
 #include "lib/light.glsl"
 
 float largest_surface_margin(float texels_per_unit) { return 8.0 / (texels_per_unit * u_light_depth_range); }
@@ -17,8 +19,13 @@ vec2 surface_slope(vec3 a, vec3 b) {
     return abs(normal.z) > 1e-20 ? -normal.xy / normal.z : vec2(1e20);
 }
 
-// No steeper than what the margin makes up for.
-vec2 limited_slope(vec2 slope, float texels_per_unit) {
-    float steepness = abs(slope.x) + abs(slope.y), limit = largest_surface_margin(texels_per_unit);
-    return steepness > limit ? slope * (limit / steepness) : slope;
+// How far the plane of a receiver is believed to go on along the light, `offset` texels away.
+float plane_limit(vec2 offset, float texels_per_unit) {
+    return largest_surface_margin(texels_per_unit) * max(1.0, max(abs(offset.x), abs(offset.y)));
+}
+
+// How much deeper it lies there.
+float plane_change(vec2 slope, vec2 offset, float texels_per_unit) {
+    float limit = plane_limit(offset, texels_per_unit);
+    return clamp(dot(slope, offset), -limit, limit);
 }

@@ -64,6 +64,7 @@ Receiver receiver_here() {
 #endif
 #endif
 #ifdef MESH
+    receiver.on_surface = true;
     receiver.direction = surface_direction(dFdx(v_p_ls), dFdy(v_p_ls));
 #endif
     return receiver;

@@ -49,7 +49,7 @@ float coverage_level(std::span<const TextureMap> levels, const float2& dx, const
         return x * x + y * y;
     };
     const float largest = std::max({squared(dx), squared(dy), 1.f});
-    return std::min(0.5f * std::log2(largest), float(levels.size() - 1));
+    return std::clamp(0.5f * std::log2(largest) - 0.5f, 0.f, float(levels.size() - 1));
 }
 
 float coverage_at(std::span<const TextureMap> levels, const float2& uv, float level) {

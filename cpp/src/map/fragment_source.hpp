@@ -33,7 +33,7 @@ struct FragmentSource {
     std::span<const float> opaque_depth;  // one value a texel; empty: there is no opaque caster
     bool paper_deposit = false;
     bool optical_depth = true;
-    bool surface_margin = true;  // moves surfaces away from the light
+    bool moved_back = false;  // surfaces, away from the light (map/surface.hpp)
 };
 
 // Leaves out what no receiver can notice: casters behind all receivers or behind an opaque one,

@@ -5,19 +5,17 @@
 namespace opacity {
 namespace {
 
-// A surface is filtered along its own plane, so that none of it shadows the rest. Texels within one
-// of the receiver the margin of map/surface.hpp takes care of; from two on the slope does.
+// What a curved surface may lie in front of its own plane, in texels.
+constexpr float surface_bias_texels = 0.4f;
+
+// A surface is looked up along its own plane, so that none of it shadows the rest.
 float depth_at(const SeenReceiver& receiver, int x, int y, float depth) {
-    if (!has_plane(receiver)) return depth;
-    const Slope slope =
-        limited_slope({receiver.direction[0], receiver.direction[1]}, receiver.largest_margin);
-    const auto far = [&](int texel, int axis) {
-        const float offset = float(texel) + 0.5f - receiver.p_ls[axis];
-        const float near =
-            std::clamp(offset, -1.f, 1.f) * std::clamp(2.f - std::abs(offset), 0.f, 1.f);
-        return offset - near;
+    if (receiver.lies_on != on_surface) return depth;
+    const auto offset = [&](int texel, int axis) {
+        return float(texel) + 0.5f - receiver.p_ls[axis];
     };
-    return depth + (slope[0] * far(x, 0) + slope[1] * far(y, 1));
+    return depth + plane_change({receiver.direction[0], receiver.direction[1]}, offset(x, 0),
+                                offset(y, 1), receiver.largest_margin);
 }
 
 }  // namespace
@@ -42,7 +40,7 @@ void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, 
     if (x >= 0 && y >= 0 && x < size_px && y < size_px) {
         const std::size_t texel = std::size_t(receiver.corner_px[1] + y) * space_.width_px() +
                                   (receiver.corner_px[0] + x);
-        const auto& opaque = has_plane(receiver) ? opaque_depth_.moved : opaque_depth_.surface;
+        const auto& opaque = is_bare(receiver) ? opaque_depth_.moved : opaque_depth_.first;
         if (opaque[texel] < std::min(depth, 1.f)) return;
         const OwnDeposit own = own_deposit(receiver, x, y, space_.depth_range);
         optical_depth = std::max(0.f, map_.optical_depth(texel, depth, own));
@@ -93,11 +91,20 @@ float MapLookUp::transmittance(const Receiver& receiver, float width) const {
     return sum / float(faces_.eye_count());
 }
 
+// World units toward the light within which nothing counts.
+float MapLookUp::bias_of(const SeenReceiver& receiver, float width) const {
+    float bias = float(bias_);
+    if (bias_ < 0.0) {
+        bias = std::max(width, float(space_.least_bias));
+        if (receiver.lies_on == on_surface)
+            bias = std::max(bias, surface_bias_texels / receiver.texels_per_unit);
+    }
+    return std::max(bias, receiver.own_reach);
+}
+
 // Through one face of the map.
 float MapLookUp::face_transmittance(const SeenReceiver& receiver, float width) const {
-    const float told = bias_ < 0.0 ? std::max(width, float(space_.least_bias)) : float(bias_);
-    const float bias = std::max(told, receiver.own_reach);
-    const float depth = receiver.p_ls[2] - bias / float(space_.depth_range);
+    const float depth = receiver.p_ls[2] - bias_of(receiver, width) / float(space_.depth_range);
     const float reach = largest_filter_radius + 1.f, far = float(space_.map_size_px) + reach;
     const auto is_near = [&](float v) { return v > -reach && v < far; };
     // Also false for a coordinate that is not finite: T = 1, never NaN.

@@ -24,10 +24,10 @@ struct Filter {  // as lib/filter.glsl is told it
     bool density = false;  // average optical depth, not T
 };
 
-// The first opaque caster of each texel: moved away from the light, for surfaces (map/surface.hpp),
-// and where it is, for strands.
+// The first opaque caster of each texel: where it is, and, for bare points, moved away from the
+// light (map/surface.hpp).
 struct OpaqueDepth {
-    std::span<const float> moved, surface;
+    std::span<const float> first, moved;
 };
 
 class MapLookUp {
@@ -47,6 +47,7 @@ class MapLookUp {
 
    private:
     struct Taps;
+    float bias_of(const SeenReceiver& receiver, float width) const;
     float face_transmittance(const SeenReceiver& receiver, float width) const;
     void add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, float depth,
                  float weight) const;

@@ -26,11 +26,10 @@ OwnDeposit own_strand_deposit(const Receiver& receiver, float x, float y) {
 // Where the surface turns away from the light nothing is known of its neighbourhood.
 OwnDeposit own_surface_deposit(const SeenReceiver& receiver, float x, float y) {
     const Slope slope{receiver.direction[0], receiver.direction[1]};
-    const float margin = surface_margin(slope, receiver.largest_margin);
-    if (margin >= receiver.largest_margin) return {};
-    const float depth = receiver.p_ls[2] +
-                        (slope[0] * (x - receiver.p_ls[0]) + slope[1] * (y - receiver.p_ls[1])) +
-                        margin;
+    const float dx = x - receiver.p_ls[0], dy = y - receiver.p_ls[1];
+    const float change = plane_change(slope, dx, dy, receiver.largest_margin);
+    if (std::abs(change) >= plane_limit(dx, dy, receiver.largest_margin)) return {};
+    const float depth = receiver.p_ls[2] + change;
     return {std::max(depth, 0.f), std::max(depth, 0.f), optical_depth_of(receiver.opacity)};
 }
 

@@ -51,35 +51,45 @@ void tell_strands(std::vector<Receiver>& list, const std::vector<double3>& p_ls,
     }
 }
 
-// The mean normal in light coordinates of the triangles that meet at each vertex, by their areas as
-// the light sees them; all turned to one side of the surface.
+// The mean normal in light coordinates of the triangles that meet at each vertex, by their areas.
+// Triangles may be wound either way: of the mean as they are and that of all turned away from the
+// light the longer one is that of a surface, in the other they cancel.
 std::vector<double3> mean_normals(const std::vector<double3>& p_ls, const Mesh& mesh,
                                   const LightSpace& space) {
-    const auto away_from_light = [&](const double3& p) -> double3 {
-        if (space.is_parallel()) return {0.0, 0.0, 1.0};
-        return space.faces[0].turned_back(space.faces[0].seen(p));
+    const bool is_parallel = space.is_parallel();
+    // A normal's length in the world but for a factor: texels and depth ranges are not as long.
+    const double across = is_parallel ? space.depth_range * space.texels_per_unit : 1.0;
+    const auto length = [&](const double3& n) {
+        return std::hypot(across * n[0], across * n[1], n[2]);
     };
-    std::vector<double3> normals(p_ls.size());
+    std::vector<double3> normals(p_ls.size()), turned(p_ls.size());
     const auto& corners = mesh.triangles();
     for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
         const double3& a = p_ls[corners[t]];
-        double3 n = cross(minus(p_ls[corners[t + 1]], a), minus(p_ls[corners[t + 2]], a));
-        const double3 away = away_from_light(a);
-        if (dot(n, away) < 0.0) n = {-n[0], -n[1], -n[2]};
+        const double3 n = cross(minus(p_ls[corners[t + 1]], a), minus(p_ls[corners[t + 2]], a));
+        const double3 away = is_parallel ? double3{0.0, 0.0, 1.0}
+                                         : space.faces[0].turned_back(space.faces[0].seen(a));
+        const double sign = dot(n, away) < 0.0 ? -1.0 : 1.0;
         for (std::size_t corner = t; corner < t + 3; ++corner)
-            for (int axis = 0; axis < 3; ++axis) normals[corners[corner]][axis] += n[axis];
+            for (int axis = 0; axis < 3; ++axis) {
+                normals[corners[corner]][axis] += n[axis];
+                turned[corners[corner]][axis] += sign * n[axis];
+            }
     }
+    for (std::size_t i = 0; i < normals.size(); ++i)
+        if (length(turned[i]) > length(normals[i])) normals[i] = turned[i];
     return normals;
 }
 
-// The slope of the surface at each vertex; before faces, its normal.
+// The slope of the surface at each vertex; before faces, its normal. Without one it stays a bare
+// point.
 void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, const Mesh& mesh,
                const LightSpace& space, bool corrects) {
     const std::vector<double3> normals = mean_normals(p_ls, mesh, space);
     for (std::size_t i = 0; i < list.size(); ++i) {
         double3 told = normals[i];
         if (space.is_parallel()) {
-            if (!(told[2] > 0.0)) continue;
+            if (told[2] == 0.0) continue;
             told = {-told[0] / told[2], -told[1] / told[2], 0.0};
             if (!(std::abs(told[0]) + std::abs(told[1]) < 1e18)) continue;
         } else {
@@ -87,6 +97,7 @@ void tell_mesh(std::vector<Receiver>& list, const std::vector<double3>& p_ls, co
             if (!(length > 0.0)) continue;
             told = {told[0] / length, told[1] / length, told[2] / length};
         }
+        list[i].lies_on = on_surface;
         list[i].direction = to_float(told);
         if (corrects) list[i].opacity = at_or_only(mesh.opacity(), i);
     }
@@ -158,11 +169,11 @@ SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const L
                       0.f};
     seen.largest_margin = largest_surface_margin(seen.texels_per_unit, space.depth_range);
     seen.p_ls = face.place(receiver.p_ls);
-    if (receiver.on_strand > 0.f)
+    if (receiver.lies_on == on_strand)
         see_strand(seen, face, receiver, space);
     else if (receiver.width_texels > 0.f)
         seen.width_texels *= seen.texels_per_unit / float(space.texels_per_unit);
-    else if (receiver.direction != float3{})
+    else if (receiver.lies_on == on_surface && receiver.direction != float3{})
         see_surface(seen, face, receiver);
     return seen;
 }
@@ -198,7 +209,7 @@ std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
     const bool corrects = own_correction && query.is_in_maps;
     const auto* strands = dynamic_cast<const Strands*>(query.own);
     if (strands)
-        for (Receiver& receiver : list) receiver.on_strand = 1.f;
+        for (Receiver& receiver : list) receiver.lies_on = on_strand;
     if (strands && corrects) tell_strands(list, p_ls, *strands, space);
     if (const auto* mesh = dynamic_cast<const Mesh*>(query.own))
         // What a surface with alpha leaves in a texel is not its opacity.

@@ -15,6 +15,9 @@
 
 namespace opacity {
 
+// Receiver::lies_on, as the shader takes it.
+inline constexpr float on_nothing = 0.f, on_strand = 1.f, on_surface = 2.f;
+
 struct Receiver {
     float3 p_ls{};
     float width_texels = 0.f;  // of its strand or particle; 0 elsewhere
@@ -23,20 +26,21 @@ struct Receiver {
     float3 direction{};
     float opacity = 0.f;         // of its own caster; 0 where it lies on none
     float ends[2] = {0.f, 0.f};  // how far its strand reaches both ways, in directions
-    float on_strand = 0.f;       // or 1: no opaque surface that it lies on can shadow itself
+    float lies_on = on_nothing;  // below: what of its own shape can shadow it
     float own_reach = 0.f;       // world units toward the light: half of its own voxel
 };
 static_assert(sizeof(Receiver) == 12 * sizeof(float));  // a multiple of four, as std430 has it
 
 inline bool is_at_particle(const Receiver& receiver) {
-    return receiver.width_texels > 0.f && !(receiver.on_strand > 0.f);
+    return receiver.width_texels > 0.f && receiver.lies_on != on_strand;
 }
 inline DensityProfile profile_of(const Receiver& receiver) {
     return DensityProfile(int(receiver.direction[0]));
 }
-// Others have none that could shadow itself.
-inline bool has_plane(const Receiver& receiver) {
-    return receiver.on_strand == 0.f && receiver.width_texels == 0.f && receiver.own_reach == 0.f;
+// Of none it is known what it lies on.
+inline bool is_bare(const Receiver& receiver) {
+    return receiver.lies_on == on_nothing && receiver.width_texels == 0.f &&
+           receiver.own_reach == 0.f;
 }
 
 // What one face of the map sees of it.

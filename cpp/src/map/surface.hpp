@@ -1,5 +1,6 @@
-// How far a surface is moved away from the light in the map: by its own slope over one texel, the
-// reach of the look-up's taps, at most by eight texels. GLSL: lib/surface.glsl.
+// The slope of surfaces in the map, and how far the map for bare points moves them away from the
+// light: by their own slope over one texel, the reach of the look-up's taps, at most by eight
+// texels. GLSL: lib/surface.glsl.
 #pragma once
 
 #include <algorithm>
@@ -32,11 +33,16 @@ Slope surface_slope(const Vector& a, const Vector& b) {
     return {float(-x / z), float(-y / z)};
 }
 
-// No steeper than what the margin makes up for.
-inline Slope limited_slope(const Slope& slope, float largest) {
-    const float steepness = std::abs(slope[0]) + std::abs(slope[1]);
-    if (!(steepness > largest)) return slope;
-    return {slope[0] * (largest / steepness), slope[1] * (largest / steepness)};
+// How far the plane of a receiver is believed to go on along the light, x, y texels away; `largest`
+// margin as above.
+inline float plane_limit(float x, float y, float largest) {
+    return largest * std::max({1.f, std::abs(x), std::abs(y)});
+}
+
+// How much deeper it lies there.
+inline float plane_change(const Slope& slope, float x, float y, float largest) {
+    const float limit = plane_limit(x, y, largest);
+    return std::clamp(slope[0] * x + slope[1] * y, -limit, limit);
 }
 
 }  // namespace opacity

@@ -56,7 +56,7 @@ void face_triangle_fragments(const LightCaster& caster, const std::uint32_t* cor
             covered = coverage_at(caster.coverage, t.uv,
                                   coverage_level(caster.coverage, t.along_x, t.along_y));
         if (!(covered > 0.f)) return;
-        const float depth = source.surface_margin ? t.depth + t.margin : t.depth;
+        const float depth = source.moved_back ? t.depth + t.margin : t.depth;
         sink(t.x, t.y, depth, depth, [&] { return optical_depth_of(t.opacity * covered); });
     });
 }
@@ -80,7 +80,7 @@ void triangle_fragments(const LightCaster& caster, std::size_t first, const Frag
         }
         const float covered = coverage.at(float(t.x) + 0.5f, float(t.y) + 0.5f);
         if (!(covered > 0.f)) return;
-        if (source.surface_margin) depth += t.margin;
+        if (source.moved_back) depth += t.margin;
         sink(t.x, t.y, depth, depth, [&] { return optical_depth_of(opacity * covered); });
     });
 }

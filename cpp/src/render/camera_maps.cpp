@@ -83,19 +83,17 @@ void CameraMaps::add(FrameGraph& graph, const PictureInputs& inputs) {
     Texture& no_depth = graph.texture(
         "opaque_depth",
         {.format = Format::depth32f, .width = space_.width_px(), .height = space_.height_px()});
-    Texture& no_surface = graph.texture("opaque_surface", no_depth.desc());
-    for (Texture* map : {&no_depth, &no_surface})
-        graph.add({.name = map->shader_name(),
-                   .shader = {.vertex = "casters.vert.glsl",
-                              .fragment = "bounds.frag.glsl",
-                              .defines = light_defines(space_)},
-                   .draws = &nothing_,
-                   .view = &view_,
-                   .writes = {map},
-                   .state = {.depth = Depth::less, .clear_depth = 1.f}});
+    graph.add({.name = "opaque_depth",
+               .shader = {.vertex = "casters.vert.glsl",
+                          .fragment = "bounds.frag.glsl",
+                          .defines = light_defines(space_)},
+               .draws = &nothing_,
+               .view = &view_,
+               .writes = {&no_depth},
+               .state = {.depth = Depth::less, .clear_depth = 1.f}});
     const FrameGraph::Scope technique{graph, technique_->name()};
     look_up_ = technique_->build(
-        graph, {view_, inputs.lists.blended, no_depth, no_surface, false, false, space_, unused_});
+        graph, {view_, inputs.lists.blended, no_depth, false, false, space_, unused_});
 }
 
 void CameraMaps::add_look_up(Pass& pass) const {

@@ -70,23 +70,23 @@ const Source& LightMaps::add_map_size(FrameGraph& graph, SceneLists& lists) {
 
 ShadowLookUp LightMaps::add_shadows(FrameGraph& graph, SceneLists& lists) {
     Texture& opaque_depth = add_opaque_depth(graph, lists, false);
-    Texture& opaque_surface = add_opaque_depth(graph, lists, true);
+    Texture& opaque_moved = add_opaque_depth(graph, lists, true);
     if (!is_lit_) return {};
     const FrameGraph::Scope scope{graph, technique_->name()};
     const bool has_opaque = !lists.opaque.shapes().empty();
     const bool paper_deposit = technique_->deposit_rule.is("paper");
-    return {technique_->build(graph, {view_, lists.translucent, opaque_depth, opaque_surface,
-                                      has_opaque, paper_deposit, space_, casters_}),
-            technique_->shader_path(), &opaque_depth, &opaque_surface};
+    return {technique_->build(graph, {view_, lists.translucent, opaque_depth, has_opaque,
+                                      paper_deposit, space_, casters_}),
+            technique_->shader_path(), &opaque_depth, &opaque_moved};
 }
 
-Texture& LightMaps::add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool at_surface) {
-    const std::string name = at_surface ? "opaque_surface" : "opaque_depth";
+Texture& LightMaps::add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool moved_back) {
+    const std::string name = moved_back ? "opaque_moved" : "opaque_depth";
     Texture& map = graph.texture(
         name,
         {.format = Format::depth32f, .width = space_.width_px(), .height = space_.height_px()});
     Defines defines = light_defines(space_);
-    if (at_surface) defines.emplace_back("AT_SURFACE", "1");
+    if (moved_back) defines.emplace_back("MOVED_BACK", "1");
     graph.add({.name = name,
                .shader = {.vertex = "casters.vert.glsl",
                           .fragment = "bounds.frag.glsl",
@@ -95,14 +95,14 @@ Texture& LightMaps::add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool 
                .view = &view_,
                .writes = {&map},
                .state = {.depth = Depth::less, .clear_depth = 1.f},
-               .on_cpu = [this, &map, &lists, at_surface](PassContext& context) {
+               .on_cpu = [this, &map, &lists, moved_back](PassContext& context) {
                    const std::span<float> depth = context.memory<float>(map);
                    const FragmentSource opaque{.casters = casters_,
                                                .shapes = lists.opaque.shapes(),
                                                .space = space_,
                                                .opaque_depth = {},
                                                .optical_depth = false,
-                                               .surface_margin = !at_surface};
+                                               .moved_back = moved_back};
                    for_each_fragment(opaque, [&](const Fragment& fragment) {
                        depth[fragment.texel] = std::min(depth[fragment.texel], fragment.depth);
                    });

@@ -47,8 +47,8 @@ class LightMaps {
    private:
     int map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side);
     const Source& add_map_size(FrameGraph& graph, SceneLists& lists);
-    // `at_surface`: where casters are; else moved away from the light (lib/surface.glsl).
-    Texture& add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool at_surface);
+    // `moved_back`: for points that may lie on any of them (lib/surface.glsl).
+    Texture& add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool moved_back);
     ShadowLookUp add_shadows(FrameGraph& graph, SceneLists& lists);
 
     std::string scope_;

@@ -29,11 +29,16 @@ const Resource& ShadowQuery::add(FrameGraph& graph, const ShadowLookUp& look_up,
     const Buffers buffers{graph.buffer("query"), graph.buffer("transmittance")};
     Reads reads = look_up.reads;
     reads.push_back(&asked_);
+    Defines defines = look_up.defines;
+    if (look_up.opaque_moved) {
+        reads.push_back(look_up.opaque_moved);
+        defines.emplace_back("BARE_POINTS", "1");
+    }
     graph.add(
         {.name = "transmittance",
          .shader = {.compute = "transmittance.comp.glsl",
                     .technique = look_up.shader,
-                    .defines = look_up.defines},
+                    .defines = std::move(defines)},
          .reads = std::move(reads),
          .stores = {&buffers.query, &buffers.transmittance},
          .execute = [this, buffers](PassContext& context) { ask_all(context, buffers); },
@@ -72,7 +77,7 @@ void ShadowQuery::look_up_all(PassContext& context, const ShadowLookUp& look_up,
     if (!look_up.on_cpu) return;
     const std::unique_ptr<TexelMap> map = look_up.on_cpu(context);
     const OpaqueDepth opaque{context.memory<float>(*look_up.opaque_depth),
-                             context.memory<float>(*look_up.opaque_surface)};
+                             context.memory<float>(*look_up.opaque_moved)};
     const MapLookUp answers{space, *map, opaque, filter_of(technique), technique.bias.get()};
     parallel_for((receivers_.size() + receivers_at_once - 1) / receivers_at_once,
                  [&](std::size_t part) {

@@ -12,7 +12,8 @@ namespace opacity::render {
 // How T is looked up, and the shader that defines shadow_transmittance.
 struct ShadowLookUp : LookUp {
     std::string shader = "techniques/unshadowed.glsl";
-    const Texture *opaque_depth = nullptr, *opaque_surface = nullptr;
+    // Of the first opaque casters: where they are, and moved back for bare points.
+    const Texture *opaque_depth = nullptr, *opaque_moved = nullptr;
 };
 
 class ShadowQuery {

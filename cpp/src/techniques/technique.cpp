@@ -38,8 +38,8 @@ FragmentSource ShadowInputs::fragments(PassContext& context, bool optical_depth)
 
 LookUp Technique::look_up(const ShadowInputs& inputs, Reads reads,
                           std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu) const {
-    reads.insert(reads.end(), {&inputs.light, &inputs.opaque_depth, &inputs.opaque_surface, &bias,
-                               &filter_radius, &filter_width});
+    reads.insert(reads.end(),
+                 {&inputs.light, &inputs.opaque_depth, &bias, &filter_radius, &filter_width});
     const bool bilinear = filter.is("box") && filter_width.is_auto() && filter_radius.get() == 0.5;
     Defines defines{{"FILTER_" + (bilinear ? "bilinear" : filter.get()), "1"}};
     if (filter_domain.is("density")) defines.emplace_back("DENSITY_FILTER", "1");
