@@ -12,6 +12,7 @@ import pytest
 
 import pyopacity as po
 from pyopacity import _native
+from pyopacity.cli import light_options
 
 Run = Callable[..., subprocess.CompletedProcess[str]]
 
@@ -50,6 +51,8 @@ def test_version_and_help(run: Run) -> None:
         result = run(*command, "--help")
         assert (result.returncode, result.stderr) == (0, "")
         assert result.stdout.startswith("usage: pyopacity")
+    told = " ".join(run("info", "--help").stdout.split())
+    assert all(name in told for name in _native.demo_names())
 
 
 def test_cmake_dir_is_one_line(run: Run) -> None:
@@ -102,6 +105,15 @@ def test_info_tells_counts_bounds_and_ranges(run: Run, tmp_path: pathlib.Path) -
         (("render", DEMO, "-o", "a.png", "--map-size", "0"), "1..16384"),
         (("render", DEMO, "-o", "a.png", "--light", "0,0,0"), "direction"),
         (("render", DEMO, "-o", "a.png", "--light", "-1,0"), "--light"),
+        (("render", DEMO, "-o", "a.png", "--light", "lamp:1,0,0"), "point:X,Y,Z"),
+        (("render", DEMO, "-o", "a.png", "--light", "point:1,0"), "point:0,-5,9"),
+        (("render", DEMO, "-o", "a.png", "--light", "point:1,0,0:2"), "point:0,-5,9"),
+        (("render", DEMO, "-o", "a.png", "--light", "spot:1,0,0"), "TX,TY,TZ"),
+        (("render", DEMO, "-o", "a.png", "--light", "spot:1,0,0:1,0,0"), "target"),
+        (("render", DEMO, "-o", "a.png", "--light", "spot:1,0,0:0,0,0:171"), "1..170"),
+        (("render", DEMO, "-o", "a.png", "--light", "area:1,0,0:0,0,0:nan"), "edge"),
+        (("render", DEMO, "-o", "a.png", "--light", "area:1,0,0:0,0,0:1:9"), "1..8"),
+        (("compare", DEMO, "-o", "errors", "--light", "1,0,0", "--light", "spot"), "--light"),
         (("render", DEMO, "-o", "a.png", "--camera", "0,0,1"), "up"),
         (("render", DEMO, "-o", "a.png", "--camera", "0,1,0:0,1,0"), "eye"),
         (("render", DEMO, "-o", "a.png", "--up", "w"), "--up"),
@@ -175,6 +187,32 @@ def test_render_saves_what_the_library_renders(run: Run, tmp_path: pathlib.Path)
         scene, camera, technique=technique, background=(0, 0, 1), **settings
     ) as renderer:
         assert np.array_equal(np.load(output), renderer.render())
+
+
+def test_every_kind_of_light() -> None:
+    assert light_options.read(".5,0,-2").direction == po.DirectionalLight((0.5, 0, -2)).direction
+    point, spot, area = map(
+        light_options.read, ("point:1,2,-3", "spot:1,2,3:1,0,3:40", "area:0,0,5:0,3,1:.5:3")
+    )
+    assert isinstance(point, po.PointLight) and point.position == (1, 2, -3)
+    assert isinstance(spot, po.SpotLight) and isinstance(area, po.AreaLight)
+    assert (spot.position, spot.direction, spot.angle_deg) == ((1, 2, 3), (0, -1, 0), 40)
+    assert (area.position, area.samples) == ((0, 0, 5), 3)
+    u, v, way = np.array([area.edge_u, area.edge_v, (0.0, 0.6, -0.8)])
+    np.testing.assert_allclose(
+        [u @ u, v @ v, u @ v, u @ way, v @ way], [0.25, 0.25, 0, 0, 0], atol=1e-6
+    )
+
+
+@pytest.mark.gl
+def test_lights_add_up(run: Run, tmp_path: pathlib.Path) -> None:
+    lights = ["--light", "-1,0,-1", "--light", "point:20,-40,60"]
+    pictures = []
+    for i, given in enumerate((lights[:2], lights[2:], lights)):
+        render(run, tmp_path / f"{i}.npy", *given, "--ambient", "0", "--compositing", "opaque")
+        pictures.append(np.load(tmp_path / f"{i}.npy")[..., :3])
+    assert np.abs(pictures[2] - pictures[0] - pictures[1]).max() < 1e-5
+    assert pictures[0].max() > 0.01 and pictures[1].max() > 0.01
 
 
 @pytest.mark.gl

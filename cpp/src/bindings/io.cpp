@@ -36,6 +36,7 @@ void save_picture(const std::filesystem::path& path, const Array<float>& rgba) {
 
 void bind_io(py::module_& module) {
     module.def("load", &load_shapes);
+    module.def("demo_names", &demo_names);
     module.def("save_png", &save_picture, py::arg("path"), py::arg("rgba").noconvert());
 }
 

@@ -79,12 +79,12 @@ def run(arguments: argparse.Namespace) -> int:
     plan = _plan(arguments)
     rows = len(plan.variants()) * len(plan.map_sizes)
     view = scene_options.View(arguments)
-    light = scene_options.light(arguments)
+    lights = scene_options.lights(arguments)
 
     plan = dataclasses.replace(plan, device=_device(arguments))
 
     scene = scene_options.load(arguments)
-    scene.add(light)
+    scene.add(lights)
     results = Results(folder, plan, " + ".join(arguments.files), _command(arguments))
 
     def tell(what: str) -> None:

@@ -46,10 +46,10 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.size is not None:
         options["size"] = scene_options.size("--size", arguments.size)
     view = scene_options.View(arguments)
-    light = scene_options.light(arguments)
+    lights = scene_options.lights(arguments)
 
     scene = scene_options.load(arguments)
-    scene.add(light)
+    scene.add(lights)
     text.progress("rendering")
     start = time.perf_counter()
     with po.Renderer(scene, view.of(scene), technique=technique, **options) as renderer:

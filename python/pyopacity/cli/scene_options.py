@@ -9,7 +9,7 @@ import numpy as np
 import pyopacity as po
 from pyopacity import _native
 from pyopacity._attributes import describe
-from pyopacity.cli import text
+from pyopacity.cli import light_options, text
 from pyopacity.cli.text import Vector
 
 # In a world whose z points up; turned for another `--up`.
@@ -22,12 +22,12 @@ _VIEW_DIRECTION: Vector = (0.3, 1.0, -0.25)
 
 def add_files(add: Any) -> None:
     """The files, which go into one scene."""
-    add("files", nargs="+", metavar="FILE", help=f"{text.FILES}; all go into one scene")
+    add("files", nargs="+", metavar="FILE", help=f"{text.FILES}; all files go into one scene")
 
 
 def add_light_and_view(add: Any) -> None:
     """From where light comes, and from where the picture is taken."""
-    add("--light", metavar="X,Y,Z", help="the direction in which the light travels")
+    add("--light", action="append", default=[], metavar="LIGHT", help=light_options.HELP)
     add(
         "--camera",
         metavar="VIEW",
@@ -87,12 +87,11 @@ def load(arguments: argparse.Namespace) -> po.Scene:
     return scene
 
 
-def light(arguments: argparse.Namespace) -> po.DirectionalLight:
-    """The light that `--light` asks for, or the usual one."""
-    if arguments.light is not None:
-        example = "three numbers, such as .5,.3,-.8"
-        return po.DirectionalLight(text.vector("--light", arguments.light, example))
-    return po.DirectionalLight(_turned(_LIGHT_DIRECTION, text.axis("--up", arguments.up)))
+def lights(arguments: argparse.Namespace) -> list[po.Light]:
+    """The lights that `--light` asks for, or the usual one."""
+    if arguments.light:
+        return [light_options.read(given) for given in arguments.light]
+    return [po.DirectionalLight(_turned(_LIGHT_DIRECTION, text.axis("--up", arguments.up)))]
 
 
 def settings(arguments: argparse.Namespace, without: Collection[str] = ()) -> dict[str, Any]:

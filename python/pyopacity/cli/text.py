@@ -6,9 +6,13 @@ import sys
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from pyopacity import ParameterError
+from pyopacity import ParameterError, _native
 
-FILES = ".hair, .obj, .gltf, .glb, .ply, .nrrd, demo:NAME"  # what po.load takes
+# What po.load takes.
+FILES = (
+    ".hair, .obj, .gltf, .glb, .ply, .nrrd, or a generated scene, demo:NAME, where NAME is "
+    f"{', '.join(_native.demo_names())}"
+)
 
 Vector = tuple[float, float, float]
 
