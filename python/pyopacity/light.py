@@ -75,7 +75,24 @@ class Light(Guarded):
         self._handle.set_map_size(texels)
 
 
-class DirectionalLight(Light):
+class _Directed(Light):
+    """What lights with a direction share."""
+
+    __slots__ = ()
+    _handle: _native.DirectionalLight | _native.SpotLight
+
+    @property
+    def direction(self) -> tuple[float, float, float]:
+        """In which the light travels, of a spot its middle; comes back with length 1."""
+        x, y, z = self._handle.direction()
+        return x, y, z
+
+    @direction.setter
+    def direction(self, direction: Vector) -> None:
+        self._handle.set_direction(_arrays.vector("direction", direction))
+
+
+class DirectionalLight(_Directed):
     """A light at infinity.
 
     Args:
@@ -107,16 +124,6 @@ class DirectionalLight(Light):
             _arrays.number("intensity", intensity),
         )
         super().__init__(native, technique, map_size)
-
-    @property
-    def direction(self) -> tuple[float, float, float]:
-        """In which the light travels; comes back with length 1."""
-        x, y, z = self._handle.direction()
-        return x, y, z
-
-    @direction.setter
-    def direction(self, direction: Vector) -> None:
-        self._handle.set_direction(_arrays.vector("direction", direction))
 
     def __repr__(self) -> str:
         return f"<DirectionalLight: direction {_text(self.direction)}>"
@@ -193,7 +200,7 @@ class PointLight(PositionalLight):
         self.attenuation = attenuation
 
 
-class SpotLight(PositionalLight):
+class SpotLight(PositionalLight, _Directed):
     """A light that shines from a point into a cone.
 
     Args:
@@ -237,16 +244,6 @@ class SpotLight(PositionalLight):
         super().__init__(native, technique, map_size)
         self.softness = softness
         self.attenuation = attenuation
-
-    @property
-    def direction(self) -> tuple[float, float, float]:
-        """The middle of the cone; comes back with length 1."""
-        x, y, z = self._handle.direction()
-        return x, y, z
-
-    @direction.setter
-    def direction(self, direction: Vector) -> None:
-        self._handle.set_direction(_arrays.vector("direction", direction))
 
     @property
     def angle_deg(self) -> float:

@@ -87,12 +87,12 @@ def in_and_below(angle_deg: float) -> np.ndarray:
 
 
 # The kinds, and how far the mean of T may be from that of exp(-sigma d): by the noise of 20,000
-# places, and of sheets by their slope over a texel, by which the map moves them back.
+# places.
 SLABS: dict[Callable[[], Slab], float] = {
     voxels: 1e-3,
     spheres: 0.015,
     metaballs: 0.015,
-    sheets: 0.05,
+    sheets: 0.025,
     strands: 0.025,
 }
 

@@ -169,35 +169,6 @@ def test_maps_look_like_exact(tuft: Callable[..., po.Strands], small: dict[str, 
     assert po.metrics.rmse(pictures["maps"], pictures["exact"]) < 0.01
 
 
-@pytest.mark.parametrize("mode", ["subsets", *MODES])
-@pytest.mark.parametrize("antialiasing", [1, 2])
-def test_two_lights_add_up(renderer: po.Renderer, mode: str, antialiasing: int) -> None:
-    renderer.compositing, renderer.antialiasing, renderer.ambient = mode, antialiasing, 0.0
-    scene = renderer.scene
-    first, second = scene.lights[0], po.DirectionalLight((-0.6, 0.1, -0.5), (0.2, 0.5, 1.0), 0.7)
-    alone = [renderer.render()]
-    scene.remove(first)
-    scene.add(second)
-    alone.append(renderer.render())
-    scene.add(first)
-    both = renderer.render()
-    assert np.abs(both[..., :3] - (alone[0] + alone[1])[..., :3]).max() < 1e-5
-    assert np.array_equal(both[..., 3], alone[0][..., 3])
-
-
-@pytest.mark.parametrize("mode", MODES)
-def test_a_light_moves_only_its_own_passes(renderer: po.Renderer, mode: str) -> None:
-    renderer.compositing = mode
-    renderer.scene.add(po.DirectionalLight((-0.6, 0.1, -0.5)))
-    renderer.render()
-    renderer.scene.lights[1].direction = (-0.5, 0.2, -0.5)
-    renderer.render()
-    again = {row.name for row in renderer.report if row.status == "ran"}
-    assert all(
-        name.startswith("light1/") or name in ("sort_samples", "composition") for name in again
-    )
-
-
 @pytest.mark.parametrize("mode", ["opaque", "subsets", *MODES])
 def test_skipped_equals_forced(renderer: po.Renderer, mode: str, same: Callable[..., bool]) -> None:
     renderer.compositing = mode

@@ -23,17 +23,21 @@ def two_lights(renderer: po.Renderer) -> Iterator[po.Renderer]:
     yield renderer
 
 
+@pytest.mark.parametrize("compositing", ["opaque", "subsets", "sorted", "exact", "maps"])
 @pytest.mark.parametrize("antialiasing", [1, 2])
-def test_pictures_of_single_lights_add_up(renderer: po.Renderer, antialiasing: int) -> None:
-    renderer.ambient, renderer.antialiasing = 0.0, antialiasing
-    scene = renderer.scene
-    first, second = scene.lights[0], po.DirectionalLight((-0.6, 0.1, -0.5), (0.2, 0.5, 1.0), 0.7)
-    alone = [renderer.render()]
-    scene.remove(first)
-    scene.add(second)
-    alone.append(renderer.render())
-    scene.add(first)
-    both = renderer.render()
+def test_pictures_of_single_lights_add_up(
+    two_lights: po.Renderer, compositing: str, antialiasing: int
+) -> None:
+    two_lights.compositing, two_lights.antialiasing = compositing, antialiasing
+    two_lights.ambient = 0.0
+    scene = two_lights.scene
+    first, second = scene.lights
+    both = two_lights.render()
+    alone = []
+    for other in (first, second):
+        scene.remove(other)
+        alone.append(two_lights.render())
+        scene.add(other)
     assert np.abs(both[..., :3] - (alone[0] + alone[1])[..., :3]).max() < 1e-5
     assert np.array_equal(both[..., 3], alone[0][..., 3])
 
@@ -54,6 +58,18 @@ def test_a_light_moves_only_its_own_passes(two_lights: po.Renderer) -> None:
     again = ran(two_lights)
     assert {f"light1/{MAPS}/opacity", "light1/lighting", "composition"} <= again
     assert all(name.startswith("light1/") or name == "composition" for name in again)
+
+
+@pytest.mark.parametrize("compositing", ["sorted", "exact", "maps"])
+def test_what_is_translucent_knows_the_lights_apart_too(
+    two_lights: po.Renderer, compositing: str
+) -> None:
+    two_lights.compositing = compositing
+    two_lights.render()
+    two_lights.scene.lights[1].direction = (-0.5, 0.2, -0.5)
+    two_lights.render()
+    shared = {"sort_samples", "composition"}
+    assert all(name.startswith("light1/") or name in shared for name in ran(two_lights))
 
 
 def test_a_lights_colour_moves_its_own_shading_alone(two_lights: po.Renderer) -> None:

@@ -5,6 +5,8 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <set>
 
+#include "core/glm_matrix.hpp"
+
 namespace opacity {
 namespace {
 
@@ -32,13 +34,6 @@ glm::dmat4 local_transform(const JsonValue& node) {
     const auto [x, y, z] = node["translation"].numbers<3>({0, 0, 0});
     m[3] = {x, y, z, 1};
     return m;
-}
-
-double4x4 by_rows(const glm::dmat4& m) {
-    double4x4 rows;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) rows[4 * row + column] = m[column][row];
-    return rows;
 }
 
 struct Visit {
@@ -89,7 +84,7 @@ std::vector<GltfPlacement> gltf_placements(const GltfFile& file) {
         if (seen[visit.node]) throw node.error("has two parents", repair);
         seen[visit.node] = true;
         const glm::dmat4 transform = visit.parent * local_transform(node);
-        if (const JsonValue mesh = node["mesh"]) placements.push_back({mesh, by_rows(transform)});
+        if (const JsonValue mesh = node["mesh"]) placements.push_back({mesh, from_glm(transform)});
         add_visits(visits, file, node["children"], transform);
     }
     return placements;

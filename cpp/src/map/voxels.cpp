@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/glm.hpp>
+
+#include "core/glm_matrix.hpp"
 
 namespace opacity {
 namespace {
@@ -26,20 +27,6 @@ std::optional<Reach> reach_inside(const VoxelRay& ray, const Voxel& low, const V
     }
     if (!(reach.begin < reach.end)) return {};
     return reach;
-}
-
-glm::dmat4 to_glm(const double4x4& m) {
-    glm::dmat4 result;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) result[column][row] = m[4 * row + column];
-    return result;
-}
-
-double4x4 from_glm(const glm::dmat4& m) {
-    double4x4 result;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) result[4 * row + column] = m[column][row];
-    return result;
 }
 
 }  // namespace

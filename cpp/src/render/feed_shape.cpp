@@ -3,17 +3,11 @@
 #include <algorithm>
 #include <glm/glm.hpp>
 
+#include "core/glm_matrix.hpp"
 #include "map/voxels.hpp"
 
 namespace opacity::render {
 namespace {
-
-glm::dmat4 to_glm(const double4x4& m) {
-    glm::dmat4 result;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) result[column][row] = m[4 * row + column];
-    return result;
-}
 
 template <class Matrix>
 std::vector<float> to_floats(const Matrix& m) {
