@@ -85,7 +85,7 @@ std::vector<float> opaque_depth(const Setup& setup) {
 // For bare points it lies somewhat farther from the light.
 std::vector<float> opaque_moved(std::vector<float> depth) {
     for (float& d : depth)
-        if (d < 1.f) d = std::min(1.1f * d, 1.f);
+        if (d < 1.f) d = std::min(1.02f * d, 1.f);
     return depth;
 }
 
