@@ -276,6 +276,7 @@ TEST_CASE("a bias of auto is the strand's width, at least that of the light") {
             Row in_front = receiver_row(10, 10, sheet + bias / range - 1e-4f);
             Row behind = receiver_row(10, 10, sheet + bias / range + 1e-4f);
             in_front[3] = behind[3] = width;
+            in_front[11] = behind[11] = on_strand;  // which sees the sheet where it is
             const Table found = sides.glsl({in_front, behind});
             CHECK(found[0][0] > 0.f);
             CHECK(sides.cpp(in_front)[0] > 0.f);
