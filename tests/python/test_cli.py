@@ -112,6 +112,7 @@ def test_info_tells_counts_bounds_and_ranges(run: Run, tmp_path: pathlib.Path) -
         (("render", DEMO, "-o", "a.png", "--light", "spot:1,0,0:1,0,0"), "target"),
         (("render", DEMO, "-o", "a.png", "--light", "spot:1,0,0:0,0,0:171"), "1..170"),
         (("render", DEMO, "-o", "a.png", "--light", "area:1,0,0:0,0,0:nan"), "edge"),
+        (("render", DEMO, "-o", "a.png", "--light", "area:1,0,0:0,0,0:-1"), "SIDE"),
         (("render", DEMO, "-o", "a.png", "--light", "area:1,0,0:0,0,0:1:9"), "1..8"),
         (("compare", DEMO, "-o", "errors", "--light", "1,0,0", "--light", "spot"), "--light"),
         (("render", DEMO, "-o", "a.png", "--camera", "0,0,1"), "up"),

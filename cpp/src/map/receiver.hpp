@@ -26,7 +26,7 @@ struct Receiver {
     float3 direction{};
     float opacity = 0.f;         // of its own caster; 0 where it lies on none
     float ends[2] = {0.f, 0.f};  // how far its strand reaches both ways, in directions
-    float lies_on = on_nothing;  // below: what of its own shape can shadow it
+    float lies_on = on_nothing;  // above: what of its own shape can shadow it
     float own_reach = 0.f;       // world units toward the light: half of its own voxel
 };
 static_assert(sizeof(Receiver) == 12 * sizeof(float));  // a multiple of four, as std430 has it

@@ -63,6 +63,8 @@ def _area(parts: list[str]) -> po.Light:
     position = _vector("area", parts[0])
     way = np.array(_way("area", position, parts[1]))
     side = _number("area", parts[2])
+    if side < 0.0:
+        raise po.ParameterError(f'--light area: SIDE "{parts[2]}" is below 0', "write its length")
     # Level, as seen along the way: the axis that the way is farthest from gives the first side.
     u = np.cross(way, np.eye(3)[np.argmin(np.abs(way))])
     u *= side / np.linalg.norm(u)
