@@ -12,8 +12,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 import scene_errors
 import small_scenes
 
-# Leaves miss the goal: see "Scenes" in docs/accuracy.md.
-KINDS = ["strands", "particles", "voxels"]
+# Blend leaves miss the goal with 16 layers: see "Scenes" in docs/accuracy.md.
+KINDS = {
+    "strands": "strands",
+    "mask leaves": "leaves",
+    "particles": "particles",
+    "voxels": "voxels",
+}
 
 
 @pytest.fixture(autouse=True)
@@ -26,7 +31,7 @@ def few(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_goal_holds(kind: str, light: str) -> None:
     scene = scene_errors.small_scene(small_scenes.CASTERS[kind](), small_scenes.LIGHTS[light])
     found = scene_errors.errors(scene)
-    assert list(found) == [kind, "ground"]
+    assert list(found) == [KINDS[kind], "ground"]
     for techniques in found.values():
         assert max(one.rmse for one in techniques) <= scene_errors.GOAL
 
