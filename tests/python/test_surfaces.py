@@ -75,3 +75,30 @@ def test_points_that_belong_to_no_shape_are_lit_on_an_opaque_slope() -> None:
     a, b = random.uniform(0.05, 0.95, (2, 500, 1))
     points = corners[0] + a * (corners[1] - corners[0]) + b * (corners[3] - corners[0])
     assert po.transmittance(scene, points, "exact", map_size=128).min() == 1.0
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("map_size", [32, 64, 128])
+@pytest.mark.parametrize("distance", [None, 30.0])
+def test_a_bowl_that_light_reaches_all_over_has_no_speckles(
+    distance: float | None, map_size: int
+) -> None:
+    """Its triangles rise before each other, at 8 degrees to the light, and none hides another."""
+    angle, radius = np.meshgrid(np.linspace(0, 2 * np.pi, 49), np.linspace(0.02, 1.0, 17))
+    points = np.stack([radius * np.cos(angle), radius * np.sin(angle), 0.25 * radius**2], axis=-1)
+    corner = np.arange(17 * 49).reshape(17, 49)
+    a, b, c, d = corner[:-1, :-1], corner[1:, :-1], corner[1:, 1:], corner[:-1, 1:]
+    triangles = np.stack([a, b, c, a, c, d], axis=-1).reshape(-1, 3)
+    bowl = po.Mesh(points.reshape(-1, 3), triangles)
+    along = np.array([np.cos(np.radians(35.0)), 0.0, -np.sin(np.radians(35.0))])
+    light = po.DirectionalLight(along) if distance is None else po.PointLight(-distance * along)
+    camera = po.Camera.fit([bowl], (0.3, 0.5, -0.8))
+    pictures = []
+    for name in ("exact", "unshadowed"):
+        with po.Renderer(
+            po.Scene(bowl, light), camera, (160, 120), name, map_size=map_size, ambient=0.0
+        ) as renderer:
+            pictures.append(renderer.render()[..., :3])
+    seen = pictures[1].max(axis=-1) > 0.0
+    assert seen.mean() > 0.2
+    assert (np.abs(pictures[0] - pictures[1]).max(axis=-1)[seen] > 0.002).mean() < 0.02

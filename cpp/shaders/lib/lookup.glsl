@@ -40,6 +40,13 @@ float first_opaque(Receiver receiver, ivec2 place) {
     return texelFetch(t_opaque_depth, place, 0).x;
 }
 
+// The neighbours of a triangle may lean twice as much as it does; the mean plane at a vertex, as C++
+// has it, is nearer to the surface.
+bool is_behind_opaque(Receiver receiver, ivec2 place, float depth) {
+    if (receiver.on_triangle) depth -= surface_margin(receiver.direction.xy, receiver.texels_per_unit);
+    return first_opaque(receiver, place) < min(depth, 1.0);
+}
+
 // World units toward the light within which nothing counts.
 float bias_of(Receiver receiver) {
     float bias = u_bias;
@@ -59,7 +66,7 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     float optical_depth = 0.0;
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
         ivec2 place = receiver.corner + texel;
-        if (first_opaque(receiver, place) < min(depth, 1.0)) return;
+        if (is_behind_opaque(receiver, place, depth)) return;
         optical_depth = max(0.0, texel_optical_depth(place, depth, own_deposit(receiver, texel)));
     }
     taps.lit += weight;

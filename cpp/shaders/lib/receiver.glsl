@@ -22,6 +22,7 @@ struct Receiver {
     vec2 ends;           // how far its strand reaches both ways, in directions
     bool on_strand, on_surface;
     float own_reach;     // world units toward the light: half of its own voxel
+    bool on_triangle;    // of an opaque body, the rest of which does not lie on its plane
     ivec2 corner;           // the first texel of the face
     float texels_per_unit;  // 1 / the side of a texel there, in world units
 };
@@ -35,7 +36,7 @@ struct OwnDeposit {
 const OwnDeposit no_own_deposit = OwnDeposit(0.0, 0.0, 0.0);
 
 Receiver point_receiver(vec3 p_ls, float width) {
-    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, false, 0.0, ivec2(0), u_light_texels_per_unit);
+    return Receiver(p_ls, width, 0.0, 0.0, vec3(0.0), vec2(0.0), false, false, 0.0, false, ivec2(0), u_light_texels_per_unit);
 }
 
 bool is_at_particle(Receiver receiver) { return receiver.width_texels > 0.0 && !receiver.on_strand; }

@@ -65,6 +65,7 @@ Receiver receiver_here() {
 #endif
 #ifdef MESH
     receiver.on_surface = true;
+    receiver.on_triangle = u_opaque;
     receiver.direction = surface_direction(dFdx(v_p_ls), dFdy(v_p_ls));
 #endif
     return receiver;
