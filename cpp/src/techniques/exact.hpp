@@ -27,16 +27,6 @@ class Exact : public Technique {
     }
     std::string_view paper() const override { return "after Carpenter 1984, Yang et al. 2010"; }
     LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override;
-
-   private:
-    struct Lists {
-        Texture &count, &first, &unsorted, &list;
-        Value<int>&entries, &longest;
-    };
-    void add_count(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
-    void add_first(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
-    void add_store(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
-    void add_sort(FrameGraph& graph, const ShadowInputs& inputs, const Lists& lists) const;
 };
 
 }  // namespace opacity::techniques
