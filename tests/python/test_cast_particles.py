@@ -66,9 +66,11 @@ def test_a_particle_alone_does_not_shadow_its_centre(needs_gl, name, radius, pro
     particles = po.Particles(centers, radius, 0.8, profile=profile)
     scene = po.Scene(particles, po.DirectionalLight(DOWN))
     technique = po.technique(name, bias=0.0)
+    # T is divided by what a particle lets through itself, and with it the error that T may have.
+    compressed = getattr(technique, "error_bound", 0.0) / (1.0 - 0.8)
     for device in ("gpu", "cpu"):
         with seen(scene, technique, 60, device) as r:
-            assert np.abs(r.transmittance(particles) - 1.0).max() < 2e-4
+            assert np.abs(r.transmittance(particles) - 1.0).max() < 2e-4 + compressed
 
 
 @pytest.mark.parametrize("profile", ["sphere", "metaball"])
