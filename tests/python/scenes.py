@@ -4,6 +4,10 @@ import numpy as np
 
 import pyopacity as po
 
+CASTING = [name for name in po.techniques() if name != "unshadowed"]
+# Those that let light through: to a shadow map every caster is opaque.
+TRANSLUCENT = [name for name in CASTING if name != "shadow_map"]
+
 
 def tangle(seed: int = 1, strands: int = 40, points: int = 8, step: float = 1.0):
     """Random walks in a ball of radius 10 or so; (points, offsets)."""

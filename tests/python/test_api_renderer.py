@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import pyopacity as po
+from scenes import TRANSLUCENT
 
 pytestmark = pytest.mark.gl
 
 DOWN = (0.0, 0.0, -1.0)
-SHADOWED = [name for name in po.techniques() if name != "unshadowed"]
 
 
 # ---- pictures ----
@@ -95,7 +95,7 @@ def test_a_shadow_is_darker(
 # ---- transmittance ----
 
 
-@pytest.mark.parametrize("technique", SHADOWED)
+@pytest.mark.parametrize("technique", TRANSLUCENT)
 @pytest.mark.parametrize("opacities", [(0.5,), (0.5, 0.2), (1.0,), (0.25, 1.0), (0.0,)])
 def test_light_through_sheets_is_the_product(
     technique: str,

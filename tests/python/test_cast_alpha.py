@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
+from scenes import CASTING, TRANSLUCENT
 
 DOWN = (0.0, 0.0, -1.0)
 CORNERS = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
@@ -36,10 +37,7 @@ def grid(count, z=-1.0, reach=0.9):
     return np.stack([*np.meshgrid(at, at), np.full((count, count), z)], -1).reshape(-1, 3)
 
 
-CASTING = [name for name in po.techniques() if name != "unshadowed"]
-
-
-@pytest.mark.parametrize("name", CASTING)
+@pytest.mark.parametrize("name", TRANSLUCENT)
 @pytest.mark.parametrize("device", ["gpu", "cpu"])
 def test_a_half_opaque_leaf_lets_half_of_the_light_through(needs_gl, name, device):
     for leaf in (sheet(np.full((5, 7), 0.5), "blend"), sheet(np.ones((3, 3)), opacity=0.5)):

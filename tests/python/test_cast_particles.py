@@ -7,6 +7,7 @@ import pytest
 
 import pyopacity as po
 import reference
+from scenes import CASTING
 
 DOWN = (0.0, 0.0, -1.0)
 
@@ -55,7 +56,7 @@ def test_the_area_is_that_of_the_discs(needs_gl, device, radius_px, profile, opa
     assert area == pytest.approx(expected, rel=1e-2)
 
 
-@pytest.mark.parametrize("name", [name for name in po.techniques() if name != "unshadowed"])
+@pytest.mark.parametrize("name", CASTING)
 @pytest.mark.parametrize("radius", [0.003, 0.02, 0.4])
 @pytest.mark.parametrize("profile", ["sphere", "metaball"])
 def test_a_particle_alone_does_not_shadow_its_centre(needs_gl, name, radius, profile):

@@ -5,8 +5,8 @@ import pytest
 
 import pyopacity as po
 import reference
+from scenes import CASTING, TRANSLUCENT
 
-CASTING = [name for name in po.techniques() if name != "unshadowed"]
 DIRECTIONS = [
     (0, 0, -1),
     (0, 1, 0),
@@ -70,9 +70,11 @@ def test_a_slab_lets_exp_sigma_d_through_at_every_angle(needs_gl, device, direct
         way = np.where(d > 0, (points - low) / d, np.where(d < 0, (points - high) / d, np.inf))
     expected = np.exp(-sigma * way.min(axis=1))
     scene = po.Scene(box, po.DirectionalLight(direction))
-    for name in CASTING:
+    for name in TRANSLUCENT:
         got, _ = answered(scene, points, name, 512, device, bias=0.0)
-        assert np.abs(got - expected).max() < 3e-3, name  # a texel where the way is steep
+        compressed = getattr(po.technique(name), "error_bound", 0.0)
+        # A texel where the way is steep.
+        assert np.abs(got - expected).max() < 3e-3 + compressed, name
     if direction != (0, 0, -1):
         return
     for layers in range(1, 65):
@@ -139,7 +141,7 @@ def test_half_of_a_voxel_does_not_count_at_its_own_centre(needs_gl):
     extinction[:, 1, 1] = np.array([0.3, 0.5, 0.0, 0.9, 0.2, 0.4])
     column = po.Volume(extinction, spacing=(1, 1, 2))
     scene = po.Scene(column, po.DirectionalLight((0, 0, 1)))
-    for name in CASTING:
+    for name in TRANSLUCENT:
         for device in ("gpu", "cpu"):
             got, _ = answered(scene, column, name, 33, device)
             before = 2.0 * np.r_[0.0, np.cumsum(extinction[:-1, 1, 1])]

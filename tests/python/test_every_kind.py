@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
-from scenes import random_shapes
+from scenes import CASTING, random_shapes
 
 pytestmark = pytest.mark.gl
 
@@ -49,7 +49,7 @@ def test_skipped_equals_forced(same: Callable[..., bool]) -> None:
             assert same(skipped, renderer.render()), i
 
 
-@pytest.mark.parametrize("technique", [name for name in po.techniques() if name != "unshadowed"])
+@pytest.mark.parametrize("technique", CASTING)
 def test_shaders_and_cpp_agree(technique: str) -> None:
     scene = every_kind()
     places = [np.random.default_rng(1).uniform(-2, 2, (1500, 3)), *scene.shapes]
