@@ -129,8 +129,8 @@ def test_the_registry_names_every_technique_once() -> None:
     lines = (folder / "CMakeLists.txt").read_text("utf-8")
     registered = re.findall(r"^opacity_add_technique\((\w+)\)", lines, re.MULTILINE)
     assert registered == list(po.techniques())
-    shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "split_search"}
-    shared |= {"packed_lists", "fragment_lists"}
+    shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "histogram"}
+    shared |= {"split_search", "packed_lists", "fragment_lists"}
     for place, suffix in (
         (folder, ".hpp"),
         (folder, ".cpp"),

@@ -5,9 +5,20 @@
 //     float position(TexelLayers layers, float depth), among u_planes
 //     TexelLayers texel_layers(ivec2 texel)
 // C++: techniques/layers_on_cpu.cpp.
+#include "lib/interval.glsl"
+#include "lib/layer_map.glsl"
 #include "lib/planes.glsl"
 
-// Plane k in 1 .. K is channel (k - 1) % 4 of layer (k - 1) / 4 of the map.
+// With BEYOND_ignore what lies behind the last layer casts nothing.
+float counted_part(TexelLayers layers, float begin, float end) {
+#ifdef BEYOND_ignore
+    if (!(end > begin)) return begin > layers.end ? 0.0 : 1.0;
+    return part_in_front(begin, end, layers.end);
+#else
+    return 1.0;
+#endif
+}
+
 #ifdef PASS_opacity
 #include "lib/deposit.glsl"
 
@@ -23,37 +34,56 @@ void main() {
     if (!is_sampled(texel)) discard;
     Deposit deposit = deposit_or_discard();
     TexelLayers layers = texel_layers(texel);
+    float optical_depth = deposit.optical_depth * counted_part(layers, deposit.depth, deposit.depth_end);
     float first = position(layers, deposit.depth), last = position(layers, deposit.depth_end);
     int layer = layer_of(first);
     for (int target = 0; target < TARGETS; ++target) {
-        ivec4 plane = 4 * (FIRST_TARGET + target) + ivec4(1, 2, 3, 4);
+        ivec4 plane = planes_of(FIRST_TARGET + target);
         vec4 part = vec4(greaterThan(plane, ivec4(layer)));
         if (last > first)
             for (int i = 0; i < 4; ++i) part[i] = counted_at(plane[i], first, last);
-        o_planes[target] = deposit.optical_depth * part;
+        vec4 value = stored(optical_depth * part);
+#ifdef PACKED
+        if (FIRST_TARGET + target == 0) value.a = layers.start;  // of equals the largest remains
+#endif
+        o_planes[target] = value;
     }
 }
 #else
 
 #include "lib/receiver.glsl"
 
-uniform sampler2DArray t_opacity;
+#ifdef CUBIC
+#include "lib/monotone_cubic.glsl"
 
-// Optical depth in front of plane k; nothing is in front of plane 0.
-float plane_optical_depth(ivec2 texel, int k) {
-    return k == 0 ? 0.0 : texelFetch(t_opacity, ivec3(texel, (k - 1) / 4), 0)[(k - 1) % 4];
+// Between planes `layer` and layer + 1, through their neighbours. The receiver's own part is taken out
+// of all four planes first.
+float between_planes(ivec2 texel, int layer, float x, vec3 own) {
+    vec4 places, values;
+    for (int i = 0; i < 4; ++i) {
+        int k = clamp(layer + i - 1, 0, u_layers);
+        places[i] = u_planes[k] + float(layer + i - 1 - k);  // outside, all stays as it is
+        values[i] = plane_optical_depth(texel, k) - own.z * counted_at(k, own.x, own.y);
+    }
+    return monotone_cubic(places, values, x);
 }
+#else
+// Optical depth grows evenly from one plane to the next.
+float between_planes(ivec2 texel, int layer, float x, vec3 own) {
+    float along = (x - u_planes[layer]) / (u_planes[layer + 1] - u_planes[layer]);
+    float before = plane_optical_depth(texel, layer), behind = plane_optical_depth(texel, layer + 1);
+    return mix(before, behind, along) - own.z * counted(own.x, own.y, layer, along);
+}
+#endif
 
 float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
     TexelLayers layers = texel_layers(texel);
     if (!(depth > layers.start)) return 0.0;
+    own.optical_depth *= counted_part(layers, own.depth, own.depth_end);
     if (depth >= layers.end) return plane_optical_depth(texel, u_layers) - own.optical_depth;
     float x = position(layers, depth);
-    int layer = layer_of(x);
-    float along = (x - u_planes[layer]) / (u_planes[layer + 1] - u_planes[layer]);
-    float before = plane_optical_depth(texel, layer), behind = plane_optical_depth(texel, layer + 1);
-    float own_part = counted(position(layers, own.depth), position(layers, own.depth_end), layer, along);
-    return mix(before, behind, along) - own.optical_depth * own_part;
+    vec3 own_part = vec3(position(layers, own.depth), position(layers, own.depth_end), own.optical_depth);
+    return between_planes(texel, layer_of(x), x, own_part);
 }
 
 #include "lib/lookup.glsl"

@@ -3,8 +3,12 @@
 // counted once whatever it lies on.
 #include "lib/interval.glsl"
 
-uniform int u_layers;         // K
-uniform float u_planes[65];   // of [0, 1]; u_planes[0] = 0, u_planes[K] = 1
+#ifndef MOST_LAYERS
+#define MOST_LAYERS 64
+#endif
+
+uniform int u_layers;                       // K
+uniform float u_planes[MOST_LAYERS + 1];    // of [0, 1]; u_planes[0] = 0, u_planes[K] = 1
 
 // Position between the bounds; 0 where they coincide.
 float between(float start, float end, float depth) {

@@ -10,6 +10,8 @@ namespace opacity {
 int channels(Format format) {
     switch (format) {
         case Format::rgba32f:
+        case Format::rgba16f:
+        case Format::rgba8:
         case Format::rgba32ui:
             return 4;
         default:

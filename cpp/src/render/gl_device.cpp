@@ -15,6 +15,14 @@ namespace {
 constexpr GLenum face_clip_distances = 5;       // casters.vert.glsl
 constexpr const char* camera_space = "camera";  // Shader::camera_technique
 
+// Of 8 bits a channel, as floats of [0, 1].
+void read_bytes(const gl::Texture& texture, std::span<std::byte> floats) {
+    std::vector<std::byte> bytes(texture.size_bytes());
+    texture.read(bytes);
+    auto* to = reinterpret_cast<float*>(floats.data());
+    for (const std::byte value : bytes) *to++ = float(value) / 255.f;
+}
+
 }  // namespace
 
 unsigned internal_format(Format format) {
@@ -23,6 +31,10 @@ unsigned internal_format(Format format) {
             return GL_DEPTH_COMPONENT32F;
         case Format::r32f:
             return GL_R32F;
+        case Format::rgba16f:
+            return GL_RGBA16F;
+        case Format::rgba8:
+            return GL_RGBA8;
         case Format::r32ui:
             return GL_R32UI;
         case Format::rgba32ui:
@@ -131,6 +143,7 @@ void GlDevice::set_state(const Pass& pass) const {
     gl().DepthMask(pass.tests ? GL_FALSE : GL_TRUE);
     toggle(GL_BLEND, state.blend != Blend::off);
     gl().BlendEquation(GL_FUNC_ADD);
+    if (state.largest_alpha) gl().BlendEquationSeparatei(0, GL_FUNC_ADD, GL_MAX);
     gl().BlendFunc(GL_ONE, state.blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
     const bool through_faces = pass.view && pass.view->faces() > 0;
     for (GLenum plane = GL_CLIP_DISTANCE0; plane < GL_CLIP_DISTANCE0 + face_clip_distances; ++plane)
@@ -260,8 +273,12 @@ void GlDevice::write(const Resource& resource, std::span<const std::byte> conten
 void GlDevice::read(const Resource& resource, std::span<std::byte> content) {
     if (content.empty()) return;
     const auto image = images_.find(resource.name());
-    image != images_.end() ? image->second.texture.read(content)
-                           : buffers_.at(resource.name()).read(content);
+    if (image == images_.end())
+        buffers_.at(resource.name()).read(content);
+    else if (image->second.texture.internal_format() == GL_RGBA8)
+        read_bytes(image->second.texture, content);
+    else
+        image->second.texture.read(content);
 }
 
 void GlDevice::finish() {

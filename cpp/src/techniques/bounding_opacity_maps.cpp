@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "opacity/core/split.hpp"
+#include "techniques/histogram.hpp"
 
 namespace opacity::techniques {
 
@@ -16,34 +17,23 @@ LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs)
     if (!searches)
         planes.set(layer_planes(layers.get(), fixed_ratio()));
     else if (search_frames.get() == 1)
-        search.add_at_once(graph, inputs, add_histogram(graph, inputs, span), planes);
+        search.add_at_once(graph, inputs, add_histogram(graph, inputs, span, fine_ratio), planes);
     else
         trials.emplace(search.begin_trial(graph, inputs, planes));
-    const DrawnLayers drawn =
-        add_layers(graph, inputs, span, "opacity", {layers, planes, layers.get()});
+    const DrawnLayers drawn = add_layers(graph, inputs, span, planes, {});
     Reads more;
     if (trials) {
         const bool rebuilds = similarity.is("error");
-        more.push_back(&search.add_trial(graph, inputs, *trials, drawn,
-                                         rebuilds ? add_histogram(graph, inputs, span) : drawn));
+        more.push_back(
+            &search.add_trial(graph, inputs, *trials, drawn,
+                              rebuilds ? add_histogram(graph, inputs, span, fine_ratio) : drawn));
     }
-    return layers_look_up(inputs, drawn, std::move(more));
+    return layers_look_up(inputs, drawn, false, std::move(more));
 }
 
 // One layer has no plane to place.
 double BoundingOpacityMaps::fixed_ratio() const {
     return split.is("logarithmic") ? 1.0 : split.is("hybrid") ? split_ratio.get() : 0.0;
-}
-
-DrawnLayers BoundingOpacityMaps::add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
-                                               const LayerSpan& span) const {
-    const int count = fine_layer_count(inputs.space.width_px());
-    auto& fine_layers = graph.value("fine/layers", 0);
-    auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
-    fine_layers.set(count);
-    fine_planes.set(layer_planes(count, fine_ratio));
-    return add_layers(graph, inputs, span, "histogram", {fine_layers, fine_planes, count},
-                      block_stride(inputs.space.width_px()));
 }
 
 }  // namespace opacity::techniques

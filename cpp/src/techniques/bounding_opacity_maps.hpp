@@ -61,8 +61,6 @@ class BoundingOpacityMaps : public Layered {
 
    private:
     double fixed_ratio() const;
-    DrawnLayers add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
-                              const LayerSpan& span) const;
 
     UniformSet search_request_{"needs_recompute"};
 };

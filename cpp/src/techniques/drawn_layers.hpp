@@ -1,19 +1,30 @@
-// Opacity layers that a pass has drawn: what stands in the map, and where its planes lie.
+// Opacity layers that passes have drawn: what stands in the map, and where its planes lie.
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "opacity/graph/frame_graph.hpp"
 
 namespace opacity::techniques {
 
-constexpr int planes_per_target = 4;  // plane 4 t + c + 1 is channel c of layer t
+constexpr int planes_per_target = 4;
+
+// Where a plane stands in a map: a channel of one of its layers. GLSL: lib/layer_map.glsl.
+struct Slot {
+    std::size_t target, channel;
+};
+// Of plane k in 1 .. K; in a packed map the first layer's alpha is the start of a texel's layers.
+inline Slot slot_of(int k, bool is_packed) {
+    const auto slot = std::size_t(is_packed && k > 3 ? k : k - 1);
+    return {slot / planes_per_target, slot % planes_per_target};
+}
 
 // Between which depths of light space a texel's layers lie; GLSL: lib/layer_span.glsl.
 struct LayerSpan {
-    Texture *start, *end;
-
-    void add_to(Reads& reads) const { reads.insert(reads.end(), {start, end}); }
+    Texture* start = nullptr;       // none: from depth 0
+    Texture* end = nullptr;         // none: to `depth` behind the start
+    Value<float>* depth = nullptr;  // none: 1
 };
 
 // Planes of [0, 1], from the start of a texel's layers to their end, in an array texture of
@@ -22,6 +33,19 @@ struct DrawnLayers {
     Texture& map;
     Value<std::vector<float>>& planes;
     LayerSpan span;
+    Value<float>* kappa = nullptr;  // the optical depth of a full channel, where one has 8 bits
+    bool is_packed = false;
+    bool ignores_beyond = false;  // what lies behind the last layer casts nothing
+
+    // The optical depth that a 1 in the map means.
+    float unit() const { return kappa ? kappa->get() : 1.f; }
+    Slot slot_of(int k) const { return techniques::slot_of(k, is_packed); }
+    void add_to(Reads& reads) const {
+        reads.push_back(&planes);
+        for (const Source* source :
+             std::initializer_list<const Source*>{span.start, span.end, span.depth, kappa})
+            if (source) reads.push_back(source);
+    }
 };
 
 }  // namespace opacity::techniques

@@ -1,8 +1,12 @@
 #include "techniques/layered.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <numbers>
 #include <utility>
 
+#include "opacity/core/split.hpp"
+#include "techniques/histogram.hpp"
 #include "techniques/layers_on_cpu.hpp"
 
 namespace opacity::techniques {
@@ -10,18 +14,35 @@ namespace {
 
 constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
 
+// Of the passes and of the look-up.
+Defines layer_defines(const DrawnLayers& drawn) {
+    Defines defines;
+    if (drawn.is_packed) defines.emplace_back("PACKED", "1");
+    if (drawn.ignores_beyond) defines.emplace_back("BEYOND_ignore", "1");
+    if (drawn.kappa) defines.emplace_back("ACCUMULATOR_unorm8", "1");
+    // Few sizes, so that few programs are made.
+    const int planes = planes_per_target * drawn.map.desc().layers;
+    if (planes > 64)  // lib/planes.glsl
+        defines.emplace_back("MOST_LAYERS", std::to_string(std::bit_ceil(unsigned(planes))));
+    return defines;
+}
+
 }  // namespace
 
-Texture& Layered::add_first_depth(FrameGraph& graph, const ShadowInputs& inputs) {
+const double Layered::full_8_bits = 8.0 * std::numbers::ln2;
+
+Texture& Layered::add_first_depth(FrameGraph& graph, const ShadowInputs& inputs, int depth_bits) {
     Texture& start = graph.texture("start", inputs.map(Format::depth32f));
+    Defines defines;
+    if (depth_bits < 32) defines.emplace_back("DEPTH_BITS", std::to_string(depth_bits));
     graph.add({.name = "start_depth",
-               .shader = inputs.caster_shader("bounds.frag.glsl", false),
+               .shader = inputs.caster_shader("bounds.frag.glsl", false, std::move(defines)),
                .draws = &inputs.translucent,
                .view = &inputs.light,
                .reads = inputs.caster_reads(false),
                .writes = {&start},
                .state = {.depth = Depth::less, .clear_depth = 1.f},
-               .on_cpu = first_depth_on_cpu(inputs, start)});
+               .on_cpu = first_depth_on_cpu(inputs, start, depth_bits)});
     return start;
 }
 
@@ -38,44 +59,80 @@ Texture& Layered::add_last_depth(FrameGraph& graph, const ShadowInputs& inputs) 
     return end;
 }
 
+int Layered::accumulator_bits() const {
+    return accumulator.is("unorm8") ? 8 : accumulator.is("float16") ? 16 : 32;
+}
+
 DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
-                                const LayerSpan& span, const std::string& name,
-                                const Planes& planes, int block_stride) const {
-    const int target_count = (planes.count + planes_per_target - 1) / planes_per_target;
-    const DrawnLayers drawn{graph.texture(name, inputs.map(Format::rgba32f, target_count)),
-                            planes.planes, span};
-    Reads reads{&planes.layers, &planes.planes};
-    span.add_to(reads);
+                                const LayerSpan& span, Planes& planes,
+                                const Options& options) const {
+    const Format format = accumulator.is("unorm8")    ? Format::rgba8
+                          : accumulator.is("float16") ? Format::rgba16f
+                                                      : Format::rgba32f;
+    const int targets = int(slot_of(layers.get(), options.packed).target) + 1;
+    DrawnLayers drawn{graph.texture("opacity", inputs.map(format, targets)),
+                      planes,
+                      span,
+                      nullptr,
+                      options.packed,
+                      options.ignores_beyond};
+    if (format == Format::rgba8) {
+        drawn.kappa = &graph.value("kappa", 0.f);
+        drawn.kappa->set(float(options.kappa));
+    }
+    add_passes(graph, inputs, drawn, layers, 1);
+    return drawn;
+}
+
+DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
+                                   const LayerSpan& span, double split_ratio) const {
+    const int count = fine_layer_count(inputs.space.width_px());
+    auto& fine_layers = graph.value("fine/layers", 0);
+    auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
+    fine_layers.set(count);
+    fine_planes.set(layer_planes(count, split_ratio));
+    const TextureDesc desc = inputs.map(Format::rgba32f, count / planes_per_target);
+    const DrawnLayers drawn{graph.texture("histogram", desc), fine_planes, span};
+    add_passes(graph, inputs, drawn, fine_layers, block_stride(inputs.space.width_px()));
+    return drawn;
+}
+
+void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
+                         const Source& layer_count, int block_stride) const {
+    Reads reads{&layer_count};
+    drawn.add_to(reads);
     reads = inputs.caster_reads(true, std::move(reads));
-    for (int first = 0; first < target_count; first += targets_per_pass) {
-        const int count = std::min(targets_per_pass, target_count - first);
+    const int targets = drawn.map.desc().layers;
+    for (int first = 0; first < targets; first += targets_per_pass) {
+        const int count = std::min(targets_per_pass, targets - first);
         std::vector<Target> writes;
         for (int target = first; target < first + count; ++target)
             writes.emplace_back(&drawn.map, target);
+        Defines defines = layer_defines(drawn);
+        defines.insert(defines.end(), {{"PASS_opacity", "1"},
+                                       {"TARGETS", std::to_string(count)},
+                                       {"FIRST_TARGET", std::to_string(first)},
+                                       {"BLOCK_STRIDE", std::to_string(block_stride)}});
         const std::string part =
             first == 0 ? "" : "_" + std::to_string(first / targets_per_pass + 1);
-        const Defines defines{{"PASS_opacity", "1"},
-                              {"TARGETS", std::to_string(count)},
-                              {"FIRST_TARGET", std::to_string(first)},
-                              {"BLOCK_STRIDE", std::to_string(block_stride)}};
-        graph.add({.name = name + part,
-                   .shader = inputs.caster_shader(shader_path(), true, defines),
+        graph.add({.name = drawn.map.shader_name() + part,
+                   .shader = inputs.caster_shader(shader_path(), true, std::move(defines)),
                    .draws = &inputs.translucent,
                    .view = &inputs.light,
                    .reads = reads,
                    .writes = std::move(writes),
-                   .state = {.blend = Blend::add},
+                   .state = {.blend = Blend::add, .largest_alpha = drawn.is_packed && first == 0},
                    .on_cpu = layers_on_cpu(inputs, drawn, first, count, block_stride)});
     }
-    return drawn;
 }
 
-LookUp Layered::layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn,
+LookUp Layered::layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn, bool is_cubic,
                                Reads more) const {
-    Reads reads{&drawn.map, &layers, &drawn.planes};
-    drawn.span.add_to(reads);
-    reads.insert(reads.end(), more.begin(), more.end());
-    LookUp result = look_up(inputs, std::move(reads), look_up_on_cpu(drawn));
+    more.insert(more.end(), {&drawn.map, &layers});
+    drawn.add_to(more);
+    LookUp result = look_up(inputs, std::move(more), look_up_on_cpu(drawn, is_cubic));
+    if (is_cubic) result.defines.emplace_back("CUBIC", "1");
+    for (const auto& define : layer_defines(drawn)) result.defines.push_back(define);
     result.own_correction = own_correction.get() && !inputs.paper_deposit;
     return result;
 }

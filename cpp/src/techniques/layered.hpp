@@ -17,28 +17,43 @@ class Layered : public Technique {
     Param<bool> own_correction{*this, "own_correction", true,
                                "Takes out of a look-up what it counts of the receiver's own "
                                "deposit; not with deposit_rule paper."};
+    Choice accumulator{*this,
+                       "accumulator",
+                       {"float32", "float16", "unorm8"},
+                       "What a layer sums optical depth in. The papers had 8 bits: what adds less "
+                       "than half a step is lost, and more than 8 ln 2 cannot be told."};
 
    protected:
     Layered(std::string name, int most_layers, std::string layers_doc)
         : Technique{std::move(name)},
           layers{*this, "layers", 16, {1, most_layers}, std::move(layers_doc)} {}
 
-    // The planes, and their number, as lib/planes.glsl reads them.
-    struct Planes {
-        const Source& layers;
-        Value<std::vector<float>>& planes;
-        int count;
+    using Planes = Value<std::vector<float>>;
+    // What may be told of the layers beyond where they lie.
+    struct Options {
+        double kappa = full_8_bits;
+        bool packed = false, ignores_beyond = false;
     };
+    static const double full_8_bits;  // exp(-kappa) = 2^-8
+
     // A depth map of where the casters of each texel begin, or end.
-    static Texture& add_first_depth(FrameGraph& graph, const ShadowInputs& inputs);
+    static Texture& add_first_depth(FrameGraph& graph, const ShadowInputs& inputs,
+                                    int depth_bits = 32);
     static Texture& add_last_depth(FrameGraph& graph, const ShadowInputs& inputs);
-    // Passes that draw cumulative optical depth at the planes into one array texture; of one block
-    // of 4 x 4 texels in every `block_stride`, both ways.
+    // Passes that draw the layers into the array texture "opacity".
     DrawnLayers add_layers(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
-                           const std::string& name, const Planes& planes,
-                           int block_stride = 1) const;
+                           Planes& planes, const Options& options) const;
+    // The same of fine layers, in a part of the texels; at the planes of this split ratio.
+    DrawnLayers add_histogram(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
+                              double split_ratio) const;
+    // `is_cubic`: interpolates between planes by a monotone cubic, not a line.
     LookUp layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn,
-                          Reads more = {}) const;
+                          bool is_cubic = false, Reads more = {}) const;
+    int accumulator_bits() const;
+
+   private:
+    void add_passes(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
+                    const Source& layer_count, int block_stride) const;
 };
 
 }  // namespace opacity::techniques

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "map/depth_bits.hpp"
 #include "map/fragments.hpp"
+#include "map/monotone_cubic.hpp"
 #include "map/planes.hpp"
 
 namespace opacity::techniques {
@@ -19,90 +21,165 @@ OnCpu depth_on_cpu(const ShadowInputs& inputs, Texture& depth, Pick pick) {
     };
 }
 
-// Where the map holds plane k in 1 .. K of a texel.
-std::size_t place_of(std::size_t texel_count, std::size_t texel, int k) {
-    const int target = (k - 1) / planes_per_target, channel = (k - 1) % planes_per_target;
-    return (target * texel_count + texel) * planes_per_target + channel;
-}
-
-struct Planes {
-    std::span<const float> start, end, planes;
-    int last_plane() const { return int(planes.size()) - 1; }
-    float position(std::size_t texel, float depth) const {
-        return between(start[texel], end[texel], depth);
+// Where a texel lays its planes: lib/layer_span.glsl.
+class LayerPlanes {
+   public:
+    LayerPlanes(PassContext& context, const DrawnLayers& drawn)
+        : planes{drawn.planes.get()}, ignores_beyond_{drawn.ignores_beyond} {
+        const LayerSpan& span = drawn.span;
+        if (span.start) start_ = context.memory<float>(*span.start);
+        if (span.end) end_ = context.memory<float>(*span.end);
+        if (span.depth) depth_ = span.depth->get();
     }
+    const std::span<const float> planes;
+
+    int last_plane() const { return int(planes.size()) - 1; }
+    float start(std::size_t texel) const { return start_.empty() ? 0.f : start_[texel]; }
+    float end(std::size_t texel) const {
+        return end_.empty() ? start(texel) + depth_ : end_[texel];
+    }
+    float position(std::size_t texel, float depth) const {
+        return between(start(texel), end(texel), depth);
+    }
+    float counted_part(std::size_t texel, float begin, float end_depth) const {
+        if (!ignores_beyond_) return 1.f;
+        if (!(end_depth > begin)) return begin > end(texel) ? 0.f : 1.f;
+        return part_in_front(begin, end_depth, end(texel));
+    }
+
+   private:
+    std::span<const float> start_, end_;
+    float depth_ = 1.f;
+    bool ignores_beyond_;
+};
+
+// What a map's channels hold: lib/layer_map.glsl.
+class LayerMap {
+   public:
+    LayerMap(PassContext& context, const DrawnLayers& drawn)
+        : values_{context.memory<float>(drawn.map)},
+          texel_count_{std::size_t(drawn.map.desc().width) * drawn.map.desc().height},
+          format_{drawn.map.desc().format},
+          unit_{drawn.unit()},
+          is_packed_{drawn.is_packed} {}
+
+    float& at(std::size_t texel, const Slot& slot) const {
+        return values_[(slot.target * texel_count_ + texel) * planes_per_target + slot.channel];
+    }
+    float& plane(std::size_t texel, int k) const { return at(texel, slot_of(k, is_packed_)); }
+    // Nothing is in front of plane 0.
+    float optical_depth(std::size_t texel, int k) const {
+        return k == 0 ? 0.f : unit_ * plane(texel, k);
+    }
+    // What `part` of a caster adds to a plane, beyond what `less` of it does.
+    float added(float optical_depth, float part, float less) const {
+        if (format_ != Format::rgba8) return optical_depth * (part - less);
+        const auto stored = [&](float value) {
+            return rounded_to_8_bits(std::min(optical_depth * value / unit_, 1.f));
+        };
+        return stored(part) - stored(less);
+    }
+    // What is left of a sum.
+    float kept(float sum) const {
+        if (format_ == Format::rgba8) return rounded_to_8_bits(std::min(sum, 1.f));
+        return format_ == Format::rgba16f ? rounded_to_half(sum) : sum;
+    }
+
+   private:
+    std::span<float> values_;
+    std::size_t texel_count_;
+    Format format_;
+    float unit_;
+    bool is_packed_;
 };
 
 // First each layer's own optical depth, then the sum of all before: one write a fragment.
-class Layers {
+class LayerSums {
    public:
-    Layers(const Planes& planes, std::span<float> map, int first_plane, int last_plane)
+    LayerSums(const LayerPlanes& planes, const LayerMap& map, int first_plane, int last_plane)
         : planes_{planes}, map_{map}, first_plane_{first_plane}, last_plane_{last_plane} {}
 
     void add(const Fragment& fragment) {
-        const float begin = planes_.position(fragment.texel, fragment.depth);
-        const float end = planes_.position(fragment.texel, fragment.depth_end);
+        const std::size_t texel = fragment.texel;
+        const float optical_depth = fragment.optical_depth *
+                                    planes_.counted_part(texel, fragment.depth, fragment.depth_end);
+        const float begin = planes_.position(texel, fragment.depth);
+        const float end = planes_.position(texel, fragment.depth_end);
         int k = std::max(layer_of(planes_.planes, begin) + 1, first_plane_);
         for (float so_far = 0.f; k <= last_plane_ && so_far < 1.f; ++k) {
             const float part = end > begin ? counted_at(planes_.planes, k, begin, end) : 1.f;
-            plane(fragment.texel, k) += fragment.optical_depth * (part - so_far);
+            map_.plane(texel, k) += map_.added(optical_depth, part, so_far);
             so_far = part;
         }
     }
     void accumulate(std::size_t texel) {
         double sum = 0.0;
         for (int k = first_plane_; k <= last_plane_; ++k) {
-            sum += double(plane(texel, k));
-            plane(texel, k) = float(sum);
+            sum += double(map_.plane(texel, k));
+            map_.plane(texel, k) = map_.kept(float(sum));
         }
     }
 
    private:
-    float& plane(std::size_t texel, int k) {
-        return map_[place_of(planes_.start.size(), texel, k)];
-    }
-    Planes planes_;
-    std::span<float> map_;
+    const LayerPlanes& planes_;
+    const LayerMap& map_;
     int first_plane_, last_plane_;
 };
 
 class LayeredTexels : public TexelMap {
    public:
-    LayeredTexels(const Planes& planes, std::span<const float> map) : planes_{planes}, map_{map} {}
+    LayeredTexels(PassContext& context, const DrawnLayers& drawn, bool is_cubic)
+        : planes_{context, drawn}, map_{context, drawn}, is_cubic_{is_cubic} {}
 
     float optical_depth(std::size_t texel, float depth, const OwnDeposit& own) const override {
-        const float start = planes_.start[texel], end = planes_.end[texel];
-        if (!(depth > start)) return 0.f;
-        if (depth >= end) return plane(texel, planes_.last_plane()) - own.optical_depth;
-        const float x = between(start, end, depth);
-        const int layer = layer_of(planes_.planes, x);
-        const float low = planes_.planes[layer], high = planes_.planes[layer + 1];
-        const float along = (x - low) / (high - low);
-        const float part = counted(planes_.planes, planes_.position(texel, own.depth),
-                                   planes_.position(texel, own.depth_end), layer, along);
-        const float before = plane(texel, layer), behind = plane(texel, layer + 1);
-        return before * (1.f - along) + behind * along - own.optical_depth * part;
+        if (!(depth > planes_.start(texel))) return 0.f;
+        const float own_depth =
+            own.optical_depth * planes_.counted_part(texel, own.depth, own.depth_end);
+        if (depth >= planes_.end(texel))
+            return map_.optical_depth(texel, planes_.last_plane()) - own_depth;
+        const OwnDeposit placed{planes_.position(texel, own.depth),
+                                planes_.position(texel, own.depth_end), own_depth};
+        const float x = planes_.position(texel, depth);
+        return is_cubic_ ? on_cubic(texel, x, placed) : on_line(texel, x, placed);
     }
 
    private:
-    // Nothing is in front of plane 0.
-    float plane(std::size_t texel, int k) const {
-        return k == 0 ? 0.f : map_[place_of(planes_.start.size(), texel, k)];
+    // Optical depth grows evenly from one plane to the next.
+    float on_line(std::size_t texel, float x, const OwnDeposit& own) const {
+        const std::span<const float> planes = planes_.planes;
+        const int layer = layer_of(planes, x);
+        const float low = planes[layer], high = planes[layer + 1];
+        const float along = (x - low) / (high - low);
+        const float part = counted(planes, own.depth, own.depth_end, layer, along);
+        const float before = map_.optical_depth(texel, layer);
+        const float behind = map_.optical_depth(texel, layer + 1);
+        return before * (1.f - along) + behind * along - own.optical_depth * part;
     }
-    Planes planes_;
-    std::span<const float> map_;
-};
+    // The receiver's own part is taken out of all four planes first.
+    float on_cubic(std::size_t texel, float x, const OwnDeposit& own) const {
+        const std::span<const float> planes = planes_.planes;
+        const int layer = layer_of(planes, x);
+        std::array<float, 4> places, values;
+        for (int i = 0; i < 4; ++i) {
+            const int k = std::clamp(layer + i - 1, 0, planes_.last_plane());
+            places[i] = planes[k] + float(layer + i - 1 - k);  // outside, all stays as it is
+            values[i] = map_.optical_depth(texel, k) -
+                        own.optical_depth * counted_at(planes, k, own.depth, own.depth_end);
+        }
+        return monotone_cubic(places, values, x);
+    }
 
-Planes planes_in(PassContext& context, const DrawnLayers& layers) {
-    return {context.memory<float>(*layers.span.start), context.memory<float>(*layers.span.end),
-            layers.planes.get()};
-}
+    LayerPlanes planes_;
+    LayerMap map_;
+    bool is_cubic_;
+};
 
 }  // namespace
 
-OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
-    return depth_on_cpu(inputs, depth,
-                        [](float first, const Fragment& f) { return std::min(first, f.depth); });
+OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth, int depth_bits) {
+    return depth_on_cpu(inputs, depth, [depth_bits](float first, const Fragment& f) {
+        return std::min(first, rounded_depth(f.depth, depth_bits));
+    });
 }
 
 OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
@@ -113,26 +190,35 @@ OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
 OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
                     int target_count, int block_stride) {
     return [=](PassContext& context) {
-        const Planes planes = planes_in(context, drawn);
-        const int first_plane = planes_per_target * first_target + 1;
-        const int last_plane =
-            std::min(planes_per_target * (first_target + target_count), planes.last_plane());
-        Layers layers{planes, context.memory<float>(drawn.map), first_plane, last_plane};
+        const LayerPlanes planes{context, drawn};
+        const LayerMap map{context, drawn};
+        int first_plane = 1, last_plane = 0;  // those that stand in these targets
+        for (int k = 1; k <= planes.last_plane(); ++k) {
+            const int target = int(drawn.slot_of(k).target);
+            if (target < first_target) first_plane = k + 1;
+            if (target < first_target + target_count) last_plane = k;
+        }
+        LayerSums layers{planes, map, first_plane, last_plane};
         const auto is_sampled = [block_stride](int i) { return i / 4 % block_stride == 0; };
         for_each_fragment(inputs.fragments(context, true), [&](const Fragment& fragment) {
             if (is_sampled(fragment.x) && is_sampled(fragment.y)) layers.add(fragment);
         });
         const std::size_t row_texels = std::size_t(drawn.map.desc().width);
         parallel_for(std::size_t(drawn.map.desc().height), [&](std::size_t row) {
-            for (std::size_t i = 0; i < row_texels; ++i) layers.accumulate(row * row_texels + i);
+            for (std::size_t i = 0; i < row_texels; ++i) {
+                const std::size_t texel = row * row_texels + i;
+                layers.accumulate(texel);
+                if (drawn.is_packed && first_target == 0)
+                    map.at(texel, {0, 3}) = planes.start(texel);
+            }
         });
     };
 }
 
-std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& layers) {
-    return [layers](PassContext& context) {
-        return std::make_unique<LayeredTexels>(planes_in(context, layers),
-                                               context.memory<float>(layers.map));
+std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& drawn,
+                                                                      bool is_cubic) {
+    return [drawn, is_cubic](PassContext& context) {
+        return std::make_unique<LayeredTexels>(context, drawn, is_cubic);
     };
 }
 

@@ -12,15 +12,18 @@ namespace opacity::techniques {
 
 using OnCpu = std::function<void(PassContext&)>;
 
-// Where the first caster of each texel begins, and where the last one ends.
-OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
+// Where the first caster of each texel begins, rounded to so many bits, and where the last one
+// ends.
+OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth, int depth_bits);
 OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
 
 // Fills `target_count` layers of the map from `first_target` on; of one block of 4 x 4 texels in
 // every `block_stride`, both ways.
-OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& layers, int first_target,
+OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
                     int target_count, int block_stride);
 
-std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& layers);
+// `is_cubic`: between planes a monotone cubic, not a line.
+std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& drawn,
+                                                                      bool is_cubic);
 
 }  // namespace opacity::techniques

@@ -6,71 +6,27 @@
 
 #include "opacity/core/split.hpp"
 #include "scene/bias.hpp"
+#include "techniques/histogram.hpp"
 
 namespace opacity::techniques {
 namespace {
 
-constexpr int block_size_px = 4;
-
-// Texels that a search looks at: those of a map of this size, spread over the whole, and of those
-// so many with casters, with the empty ones between them.
-constexpr int sampled_size_px = 128;
-constexpr std::size_t sampled_texels = 4096;
-
-// The read-back holds one image a layer.
-struct ReadBack {
-    std::vector<float> targets, start, end;
-    std::vector<float> planes;
-    int width_px, height_px;
-
-    ReadBack(PassContext& context, const DrawnLayers& drawn)
-        : targets{context.read<float>(drawn.map)},
-          start{context.read<float>(*drawn.span.start)},
-          end{context.read<float>(*drawn.span.end)},
-          planes{drawn.planes.get()},
-          width_px{drawn.map.desc().width},
-          height_px{drawn.map.desc().height} {}
-
-    int layers() const { return int(planes.size()) - 1; }
-    float plane(std::size_t texel, int k) const {
-        return targets[(std::size_t(k / planes_per_target) * start.size() + texel) *
-                           planes_per_target +
-                       k % planes_per_target];
-    }
-};
-
-// The same texels for whatever layers of the same casters.
-std::vector<std::size_t> sampled(const ReadBack& drawn) {
-    std::vector<std::size_t> texels;
-    std::size_t covered = 0;
-    const auto is_sampled = [stride = block_stride(drawn.width_px)](int i) {
-        return i / block_size_px % stride == 0;
-    };
-    for (int y = 0; y < drawn.height_px; ++y)
-        for (int x = 0; x < drawn.width_px; ++x) {
-            if (!is_sampled(x) || !is_sampled(y)) continue;
-            texels.push_back(std::size_t(y) * drawn.width_px + x);
-            covered += drawn.plane(texels.back(), drawn.layers() - 1) > 0.f;
-        }
-    const std::size_t stride = std::max<std::size_t>(1, covered / sampled_texels);
-    std::vector<std::size_t> some;
-    for (std::size_t i = 0; i < texels.size(); i += stride) some.push_back(texels[i]);
-    return some;
-}
-
 // Profiles that own what they show.
 struct Sample {
-    std::vector<float> planes, values, biases;
+    SampledTexels texels;
+    std::vector<float> biases;
 
     // `bias` as a part of the light's depth range.
-    Sample(const ReadBack& drawn, double bias) : planes{drawn.planes} {
-        for (std::size_t texel : sampled(drawn)) {
-            for (int k = 0; k < drawn.layers(); ++k) values.push_back(drawn.plane(texel, k));
-            const float range = drawn.end[texel] - drawn.start[texel];
+    Sample(PassContext& context, const DrawnLayers& drawn, double bias)
+        : texels{sampled_texels(context, drawn)} {
+        const auto start = context.read<float>(*drawn.span.start);
+        const auto end = context.read<float>(*drawn.span.end);
+        for (const std::size_t texel : texels.indices) {
+            const float range = end[texel] - start[texel];
             biases.push_back(range > 0.f ? float(std::min(1.0, bias / double(range))) : 1.f);
         }
     }
-    OpticalDepthProfiles profiles() const { return {planes, values, biases}; }
+    OpticalDepthProfiles profiles() const { return {texels.planes, texels.values, biases}; }
 };
 
 // Of receivers on the casters themselves, as a part of the light's depth range.
@@ -97,14 +53,6 @@ std::string progress(std::span<const double> scores, bool is_trial) {
 
 }  // namespace
 
-int fine_layer_count(int map_width_px) {
-    return map_width_px <= 1024 ? 64 : map_width_px <= 2048 ? 32 : 16;
-}
-
-int block_stride(int map_width_px) {
-    return std::max(1, map_width_px / sampled_size_px);
-}
-
 void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
                               const DrawnLayers& histogram,
                               Value<std::vector<float>>& planes) const {
@@ -116,7 +64,7 @@ void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
          .values = {&planes},
          .execute = [search = *this, measure = measure(inputs), histogram, &planes,
                      bias_ls = relative_bias(inputs, bias)](PassContext& context) {
-             const Sample fine{{context, histogram}, bias_ls};
+             const Sample fine{context, histogram, bias_ls};
              const int count = search.layers.get();
              const std::size_t trial =
                  find_split_trial(FineProfiles{fine.profiles()}, count, measure);
@@ -181,8 +129,8 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
                    const bool is_trial = scores.size() < split_trials;
                    if (scores.empty()) context.set(trials.opaque, opaque_depth.revision());
                    if (is_trial) {
-                       const Sample layers{{context, drawn}, bias_ls};
-                       const Sample exact = has_fine ? Sample{{context, fine}, bias_ls} : layers;
+                       const Sample layers{context, drawn, bias_ls};
+                       const Sample exact = has_fine ? Sample{context, fine, bias_ls} : layers;
                        scores.push_back(
                            split_score(measure, layers.profiles(), FineProfiles{exact.profiles()}));
                        context.set(trials.scores, scores);

@@ -11,15 +11,6 @@
 
 namespace opacity::techniques {
 
-// The histogram has so many cells: fine near the light, where a logarithmic split puts its planes,
-// and fine enough behind; at a ratio between two trials, since one whose planes fall on those of
-// the cells looks better than it is. Larger maps have texels enough to take fewer cells.
-constexpr double fine_ratio = 0.45;
-int fine_layer_count(int map_width_px);
-
-// It holds one block of 4 x 4 texels in so many, both ways.
-int block_stride(int map_width_px);
-
 // What a search is told: how many layers, by which measure, with which bias T is looked up, and
 // when to search again.
 struct SplitSearch {

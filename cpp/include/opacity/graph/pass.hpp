@@ -26,8 +26,9 @@ struct Shader {
     std::string vertex = {}, fragment = {}, compute = {};
     std::string technique = {};
     Defines defines = {};
-    // A second technique in the same shader: #include "camera/technique.glsl" means this one, all of
-    // whose names start with camera_, or u_camera_, t_camera_; its defines are given without that.
+    // A second technique in the same shader: #include "camera/technique.glsl" means this one, all
+    // of whose names start with camera_, or u_camera_, t_camera_; its defines are given without
+    // that.
     std::string camera_technique = {};
     Defines camera_defines = {};
     auto operator<=>(const Shader&) const = default;
@@ -61,6 +62,7 @@ struct State {
     float clear_depth = 1.f;
     float4 clear_color = {0.f, 0.f, 0.f, 0.f};
     Selection selection = {};
+    bool largest_alpha = false;  // of the first target the largest alpha remains, not the sum
     bool operator==(const State&) const = default;
 };
 

@@ -11,7 +11,9 @@
 
 namespace opacity {
 
-enum class Format { depth32f, r32f, rgba32f, r32ui, rgba32ui };
+// What is written to and read from memory has four bytes a channel whatever the format: of rgba16f
+// and rgba8 floats.
+enum class Format { depth32f, r32f, rgba32f, rgba16f, rgba8, r32ui, rgba32ui };
 
 int channels(Format format);
 

@@ -1,0 +1,50 @@
+#include "techniques/opacity_shadow_maps.hpp"
+
+#include <cmath>
+
+#include "opacity/core/slicing.hpp"
+#include "techniques/histogram.hpp"
+
+namespace opacity::techniques {
+namespace {
+
+// How much light each cell takes, over all texels.
+DepthHistogram lost_light(const SampledTexels& texels) {
+    const OpticalDepthProfiles profiles = texels.profiles();
+    DepthHistogram histogram{{profiles.planes.begin(), profiles.planes.end()},
+                             std::vector<double>(profiles.layers())};
+    for (std::size_t t = 0; t < profiles.texel_count(); ++t) {
+        const std::span<const float> texel = profiles.texel(t);
+        for (std::size_t k = 0; k < profiles.layers(); ++k)
+            histogram.masses[k] +=
+                std::exp(-at_plane(texel, k)) - std::exp(-at_plane(texel, k + 1));
+    }
+    return histogram;
+}
+
+}  // namespace
+
+LookUp OpacityShadowMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
+    auto& planes = graph.value("planes", std::vector<float>{});
+    if (slicing.is("density") && !inputs.translucent.shapes().empty())
+        add_slices(graph, inputs, planes);
+    else
+        planes.set(gamma_slices(layers.get(), slicing.is("gamma") ? gamma.get() : 1.0));
+    const double full = kappa.is_auto() ? full_8_bits : kappa.get();
+    const DrawnLayers drawn = add_layers(graph, inputs, {}, planes, {.kappa = full});
+    return layers_look_up(inputs, drawn, interpolation.is("cubic"));
+}
+
+void OpacityShadowMaps::add_slices(FrameGraph& graph, const ShadowInputs& inputs,
+                                   Planes& planes) const {
+    const DrawnLayers histogram = add_histogram(graph, inputs, {}, 0.0);
+    graph.add({.name = "slices",
+               .reads = {&histogram.map, &histogram.planes, &layers},
+               .values = {&planes},
+               .execute = [histogram, &planes, &layers = layers](PassContext& context) {
+                   const auto lost = lost_light(sampled_texels(context, histogram));
+                   context.set(planes, density_slices(layers.get(), lost));
+               }});
+}
+
+}  // namespace opacity::techniques
