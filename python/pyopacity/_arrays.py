@@ -180,6 +180,13 @@ def parameter(name: str, value: object) -> Value:
     return number(name, value)
 
 
+def list_parameter(name: str, value: object) -> Value:
+    """Of one that may also be a list of numbers: as the engine writes it, "1.0,2.0"."""
+    if isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim == 1):
+        return ",".join(repr(number(name, item)) for item in value)
+    return parameter(name, value)
+
+
 def shortest(value: float | np.float32) -> float:
     """The shortest decimal that is kept as this float32: .3 comes back as .3."""
     return float(str(np.float32(value)))

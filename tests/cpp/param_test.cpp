@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "opacity/core/error.hpp"
+#include "opacity/core/list_param.hpp"
 #include "opacity/core/nearest_name.hpp"
 #include "opacity/core/param.hpp"
 
@@ -85,6 +86,24 @@ TEST_CASE("numbers cross where nothing is lost, and the same value moves no revi
     CHECK_FALSE(owner.bias.is_auto());
     owner.bias.assign(std::string{"auto"});
     CHECK(owner.bias.is_auto());
+}
+
+TEST_CASE("a list of numbers is written with commas, a word as it is") {
+    ParamOwner owner{"owner", "nobody"};
+    ListParam sizes{owner, "sizes", {"auto", "linear"}, "A list."};
+    CHECK(sizes.is("auto"));
+    sizes.assign(std::string{"1, 2.5,4"});
+    CHECK(std::vector(sizes.numbers().begin(), sizes.numbers().end()) ==
+          std::vector{1.0, 2.5, 4.0});
+    sizes.assign(2.0);
+    CHECK(sizes.numbers().size() == 1);
+    sizes.assign(std::string{"linear"});
+    CHECK(sizes.is("linear"));
+    CHECK(sizes.numbers().empty());
+    for (const char* wrong : {"", ",", "1,", "1,x", "0", "-1", "inf", "nan", "liner"})
+        CHECK_THROWS_AS(sizes.assign(std::string{wrong}), ParameterError);
+    CHECK_THROWS_AS(sizes.assign(true), ParameterError);
+    CHECK(sizes.is("linear"));
 }
 
 TEST_CASE("both ends of every range are inside it") {

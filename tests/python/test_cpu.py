@@ -21,6 +21,13 @@ TECHNIQUES: list[tuple[str, dict[str, Any]]] = [
     ("bounding_opacity_maps", {"split": "logarithmic", "own_correction": False}),
     ("bounding_opacity_maps", {"deposit_rule": "paper", "bias": 0.3}),
     ("bounding_opacity_maps", {"search_frames": 11, "similarity": "correlation"}),
+    ("opacity_shadow_maps", {}),
+    ("opacity_shadow_maps", {"layers": 100, "slicing": "density"}),
+    ("opacity_shadow_maps", {"slicing": "gamma", "interpolation": "cubic"}),
+    ("deep_opacity_maps", {}),
+    ("deep_opacity_maps", {"layers": 3, "beyond": "ignore", "layer_extent": 20.0}),
+    ("deep_opacity_maps", {"layers": 7, "beyond": "extend", "layer_sizes": "constant"}),
+    ("deep_opacity_maps", {"layers": 37, "packing": "4n-1", "depth_bits": 16}),
     ("unshadowed", {}),
 ]
 

@@ -65,6 +65,8 @@ def ends_of(parameter):
     """The extremes that a parameter's range names."""
     if parameter.type == "bool":
         return [True, False]
+    if parameter.type == "choice or list":
+        return [word.strip('"') for word in parameter.range.split(", ")[:-1]]
     if parameter.type == "choice":
         return [choice.strip().strip('"') for choice in parameter.range.split(",")]
     convert = int if parameter.type == "int" else float

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <tuple>
 
 namespace opacity {
 namespace {
@@ -14,8 +15,10 @@ struct Slab {
     double begin = 0.0, end = 1.0, mass = 0.0;
 
     double thickness() const { return end - begin; }
+    // The greatest is the next to be halved: of equals the one nearest to the light.
     bool operator<(const Slab& other) const {
-        return mass != other.mass ? mass < other.mass : thickness() < other.thickness();
+        return std::tuple{mass, thickness(), -begin} <
+               std::tuple{other.mass, other.thickness(), -other.begin};
     }
 };
 

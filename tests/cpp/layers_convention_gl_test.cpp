@@ -1,0 +1,93 @@
+// What layers are laid, kept and looked up with, in GLSL and in C++: convention_gl_test.cpp has the
+// other conventions.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "compute_harness.hpp"
+#include "map/depth_bits.hpp"
+#include "map/monotone_cubic.hpp"
+#include "techniques/drawn_layers.hpp"
+
+using namespace opacity;
+using harness::check_agreement;
+using harness::Evaluator;
+using harness::Random;
+using harness::Row;
+using harness::Table;
+
+TEST_CASE("the cubic is the same in GLSL and C++, and stays between the planes around it") {
+    const auto context = context_or_skip();
+    if (!context) return;
+    Evaluator evaluator{context,
+                        {"#include \"lib/monotone_cubic.glsl\"\n", 9, 1,
+                         "vec4 places = vec4(given(0), given(1), given(2), given(3));\n"
+                         "vec4 values = vec4(given(4), given(5), given(6), given(7));\n"
+                         "result(0) = monotone_cubic(places, values, given(8));"}};
+    Random random;
+    Table given;
+    for (int i = 0; i < 4000; ++i) {
+        Row row{0.f, 0, 0, 0, random(0, 1), 0, 0, 0, 0};
+        for (int k = 1; k < 4; ++k) {
+            row[k] = row[k - 1] + random(0.01f, 1);
+            row[4 + k] = row[3 + k] + (random.below(3) ? random(0, 2) : 0.f);
+        }
+        row[8] = random.below(5) ? random(row[1], row[2]) : row[1 + random.below(2)];
+        given.push_back(row);
+    }
+    check_agreement(given, evaluator(given), [](const Row& row) {
+        const float value = monotone_cubic({row[0], row[1], row[2], row[3]},
+                                           {row[4], row[5], row[6], row[7]}, row[8]);
+        CHECK(value >= row[5] - 1e-5f);
+        CHECK(value <= row[6] + 1e-5f);
+        return Row{value};
+    });
+}
+
+TEST_CASE("the cubic is exact at its planes, and on a line") {
+    const std::array places{0.f, 1.f, 1.5f, 3.f};
+    CHECK(monotone_cubic(places, {0.f, 1.f, 4.f, 5.f}, 1.f) == 1.f);
+    CHECK(monotone_cubic(places, {0.f, 1.f, 4.f, 5.f}, 1.5f) == 4.f);
+    for (float x : {1.f, 1.1f, 1.3f, 1.5f})
+        CHECK(monotone_cubic(places, {0.f, 2.f, 3.f, 6.f}, x) == doctest::Approx(2.f * x));
+}
+
+TEST_CASE("depths of few bits are the same in GLSL and C++") {
+    const auto context = context_or_skip();
+    if (!context) return;
+    Evaluator evaluator{context,
+                        {"#include \"lib/depth_bits.glsl\"\n", 1, 3,
+                         "result(0) = rounded_depth(given(0), 8);\n"
+                         "result(1) = rounded_depth(given(0), 16);\n"
+                         "result(2) = rounded_depth(given(0), 32);"}};
+    Random random;
+    Table given{{0.f}, {1.f}, {0.5f}, {0.5f / 255.f}, {std::nextafter(1.f, 0.f)}};
+    for (int i = 0; i < 2000; ++i) given.push_back({std::pow(random(0, 1), 4.f)});
+    check_agreement(given, evaluator(given), [](const Row& row) {
+        const float half = rounded_depth(row[0], 16);
+        CHECK(std::abs(half - row[0]) <= std::ldexp(row[0], -11));
+        CHECK(std::abs(rounded_depth(row[0], 8) - row[0]) <= 0.5001f / 255.f);
+        return Row{rounded_depth(row[0], 8), half, row[0]};
+    });
+}
+
+TEST_CASE("planes stand in the same channels in GLSL and C++, each in one of its own") {
+    const auto context = context_or_skip();
+    if (!context) return;
+    for (const bool is_packed : {false, true}) {
+        CAPTURE(is_packed);
+        Evaluator evaluator{context,
+                            {"#include \"lib/layer_map.glsl\"\n", 1, 2,
+                             "int k = int(given(0)), slot = slot_of(k);\n"
+                             "result(0) = float(slot);\n"
+                             "result(1) = float(planes_of(slot / 4)[slot % 4]);",
+                             is_packed ? gl::Defines{{"PACKED", "1"}} : gl::Defines{}}};
+        Table given;
+        for (int k = 1; k <= 64; ++k) given.push_back({float(k)});
+        check_agreement(given, evaluator(given), [&](const Row& row) {
+            const techniques::Slot slot = techniques::slot_of(int(row[0]), is_packed);
+            CHECK_FALSE((is_packed && slot.target == 0 && slot.channel == 3));
+            return Row{float(4 * slot.target + slot.channel), row[0]};
+        });
+    }
+}
