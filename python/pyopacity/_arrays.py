@@ -167,8 +167,11 @@ def image(name: str, value: object, shape: tuple[str | int, ...]) -> Image | Non
     return floats(name, value, shape).astype(np.float32, copy=False)
 
 
-def parameter(name: str, value: object) -> Value:
-    """What a parameter of a technique may be: True or False, a number, a word."""
+def parameter(name: str, value: object, kind: str = "") -> Value:
+    """What a parameter may be: True or False, a number, a word, and if its kind says so a list."""
+    is_list = isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim == 1)
+    if is_list and kind.endswith("list"):
+        return ",".join(repr(number(name, item)) for item in value)  # type: ignore[attr-defined]
     if isinstance(value, bool | np.bool_):
         return bool(value)
     if isinstance(value, str):
@@ -178,13 +181,6 @@ def parameter(name: str, value: object) -> Value:
     if not is_number(value):
         raise wrong(name, value, "a number, a word, or True or False")
     return number(name, value)
-
-
-def list_parameter(name: str, value: object) -> Value:
-    """Of one that may also be a list of numbers: as the engine writes it, "1.0,2.0"."""
-    if isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim == 1):
-        return ",".join(repr(number(name, item)) for item in value)
-    return parameter(name, value)
 
 
 def shortest(value: float | np.float32) -> float:

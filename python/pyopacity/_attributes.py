@@ -92,13 +92,12 @@ def describe(parameter: _native.Parameter) -> str:
 
 def _property(parameter: _native.Parameter) -> property:
     name = parameter.name
-    converted = _arrays.list_parameter if "list" in parameter.type else _arrays.parameter
 
     def get(self: HasParameters) -> Any:
         return self._owner().get(name)
 
     def set_(self: HasParameters, value: object) -> None:
-        self._owner().set(name, converted(name, value))
+        self._owner().set(name, _arrays.parameter(name, value, parameter.type))
 
     return property(get, set_, doc=describe(parameter))
 

@@ -86,8 +86,9 @@ def technique(name: str, **parameters: Any) -> Technique:
     if not isinstance(name, str):
         raise _arrays.wrong("technique", name, "a name; pyopacity.techniques() lists them")
     native = _native.make_technique(name)
+    kinds = {parameter.name: parameter.type for parameter in native.parameters()}
     for key, value in parameters.items():
-        native.set(key, _arrays.parameter(key, value))
+        native.set(key, _arrays.parameter(key, value, kinds.get(key, "")))
     return _class_of(name)(native)
 
 
