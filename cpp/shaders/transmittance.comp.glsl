@@ -10,12 +10,13 @@ struct Query {
 };
 layout(std430) readonly buffer b_query { Query queries[]; };
 layout(std430) writeonly buffer b_transmittance { float transmittance[]; };
-uniform int u_receiver_count;
+uniform int u_receiver_first, u_receiver_count;
 uniform float u_receiver_width;  // world units
 
 void main() {
     uint index = invocation_index();
     if (index >= uint(u_receiver_count)) return;
+    index += uint(u_receiver_first);
     Query query = queries[index];
     Receiver receiver = point_receiver(query.p_ls.xyz, u_receiver_width);
     receiver.opacity = query.direction.w;

@@ -28,6 +28,7 @@ TECHNIQUES: list[tuple[str, dict[str, Any]]] = [
     ("deep_opacity_maps", {"layers": 3, "beyond": "ignore", "layer_extent": 20.0}),
     ("deep_opacity_maps", {"layers": 7, "beyond": "extend", "layer_sizes": "constant"}),
     ("deep_opacity_maps", {"layers": 37, "packing": "4n-1", "depth_bits": 16}),
+    ("deep_opacity_maps", {"layers": 6, "packing": "4n-1", "smoothing": 2}),
     ("unshadowed", {}),
 ]
 
@@ -68,7 +69,7 @@ def test_agrees_with_the_gpu(
             scene, technique, lambda r, w=where: r.transmittance(w), map_size=map_size
         )
         assert np.abs(gpu - cpu).max() < 1e-4
-    assert gpu.min() < 0.5 or name == "unshadowed"
+    assert gpu.min() < 0.7 or name == "unshadowed"
 
 
 @pytest.mark.parametrize("filter", ["none", "box", "bartlett", "gaussian", "pcf"])

@@ -137,6 +137,25 @@ def test_depths_of_few_bits_change_little(errors: Errors) -> None:
     assert rmse(errors.of(DOM, depth_bits=8)) < 1.1 * rmse(errors.of(DOM))
 
 
+def test_smoothing_blurs_silhouettes(errors: Errors, sheet: Any) -> None:
+    """So it is off by default: beside a caster it darkens, on its edge it lightens."""
+    scene = po.Scene(sheet(0.0, 1.0, opacity=0.5), po.DirectionalLight((0.0, 0.0, -1.0)))
+    ground = sheet(-1.0, 3.0)
+    scene.add(ground)
+    ground.casts = False
+    x = np.linspace(-1.5, 1.5, 61)
+    points = np.stack([x, 0 * x, 0 * x - 0.9], 1)
+    technique = po.technique(DOM, layers=3)
+    sharp = po.transmittance(scene, points, technique, 64)
+    technique.smoothing = 3
+    smooth = po.transmittance(scene, points, technique, 64)
+    half_shadow = [((T > 0.52) & (T < 0.98)).sum() for T in (sharp, smooth)]
+    assert half_shadow[1] > half_shadow[0] + 2
+    assert smooth[30] == pytest.approx(0.5, abs=1e-6) and sharp[30] == pytest.approx(0.5, abs=1e-6)
+    # Inside of hair neighbours flatten each other out: it is no gain in accuracy.
+    assert rmse(errors.of(DOM, smoothing=1)) > rmse(errors.of(DOM))
+
+
 def test_opaque_casters_have_a_map_of_their_own() -> None:
     """Figure 7: the hairy teapot, whose body and coat shade each other."""
     scene = po.Scene(po.load("demo:teapot?segments=6000"), po.DirectionalLight(LIGHT))

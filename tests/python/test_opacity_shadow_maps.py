@@ -7,6 +7,7 @@ import pytest
 
 import pyopacity as po
 from layer_errors import LIGHT, Errors, hair, rmse
+from scenes import random_shapes
 
 OSM, DOM = "opacity_shadow_maps", "deep_opacity_maps"
 
@@ -146,6 +147,73 @@ def test_the_box_of_the_paper_is_3_x_3() -> None:
     dark = x[T < 1 - 1e-6]
     assert texel > 0.05
     assert np.ptp(dark) == pytest.approx(4 * texel, abs=texel)
+
+
+# ---- two buffers: the pseudo code ----
+
+
+LIGHTS = {
+    "directional": lambda middle: po.DirectionalLight(LIGHT),
+    "inside": po.PointLight,
+    "area": lambda middle: po.AreaLight(middle + [0, 0, 6], (2, 0, 0), (0, 2, 0), samples=1),
+}
+
+
+@pytest.mark.parametrize("device", ["cpu", "gpu"])
+@pytest.mark.parametrize("light", LIGHTS)
+def test_two_buffers_answer_as_all_do(
+    request: pytest.FixtureRequest, device: str, light: str
+) -> None:
+    """On every kind of caster; surfaces that lean lie in several slices at once."""
+    if device == "gpu":
+        request.getfixturevalue("needs_gl")
+    shapes = random_shapes(3)
+    scene = po.Scene(shapes, LIGHTS[light](np.zeros(3)))
+    points = np.random.default_rng(1).uniform(-4, 4, (500, 3))
+    options = [
+        {"layers": 9, "interpolation": "cubic", "filter_radius": 2.5},
+        {"layers": 13, "slicing": "gamma", "accumulator": "unorm8"},
+    ]
+    if device == "cpu":  # the same code: both kinds of light and of filter are enough
+        options.append({"layers": 5, "filter_domain": "density"})
+    for parameters in options:
+        technique = po.technique(OSM, **parameters)
+        with po.Renderer(scene, device=device, technique=technique, map_size=24) as renderer:
+            for where in (*shapes, points):
+                technique.buffers = "all"
+                T = renderer.transmittance(where)
+                technique.buffers = "two"
+                swept = renderer.transmittance(where)
+                assert np.abs(swept - T).max() < 2e-5 and swept.max() <= 1.0, parameters
+
+
+def test_memory_of_two_buffers_does_not_grow() -> None:
+    scene, strands = hair(600)
+    for layers in (1, 16, 300):
+        technique = po.technique(OSM, buffers="two", layers=layers)
+        with po.Renderer(scene, device="cpu", technique=technique, map_size=24) as renderer:
+            renderer.transmittance(strands)
+            row = next(row for row in renderer.report if row.name == "transmittance")
+            assert row.note == f"{layers} slices in turn"  # as many draws as slices
+            assert renderer.read(f"{OSM}/slices").shape == (24, 24, 4)
+            with pytest.raises(po.ParameterError, match="no texture"):
+                renderer.read(f"{OSM}/opacity")
+
+
+def test_pictures_keep_all_slices(needs_gl: None) -> None:
+    scene, _ = hair(600)
+    images = []
+    for buffers in ("all", "two"):
+        technique = po.technique(OSM, buffers=buffers)
+        with po.Renderer(scene, size=(32, 24), technique=technique, map_size=24) as renderer:
+            images.append(renderer.render())
+    assert (images[0] == images[1]).all()
+
+
+def test_without_casters_two_buffers_let_all_light_through() -> None:
+    scene = po.Scene(po.DirectionalLight(LIGHT))
+    T = po.transmittance(scene, np.zeros((3, 3)), po.technique(OSM, buffers="two"))
+    assert T.tolist() == [1.0] * 3
 
 
 @pytest.mark.slow

@@ -130,7 +130,7 @@ def test_the_registry_names_every_technique_once() -> None:
     registered = re.findall(r"^opacity_add_technique\((\w+)\)", lines, re.MULTILINE)
     assert registered == list(po.techniques())
     shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "histogram"}
-    shared |= {"split_search", "packed_lists", "fragment_lists"}
+    shared |= {"split_search", "smoothing", "packed_lists", "fragment_lists"}
     for place, suffix in (
         (folder, ".hpp"),
         (folder, ".cpp"),

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,6 +50,19 @@ struct ShadowInputs {
     FragmentSource fragments(PassContext& context, bool optical_depth) const;
 };
 
+// A look-up that holds four planes at a time: the casters are drawn again for each plane, as lib/
+// layer_map.glsl has it, and receivers between two planes are asked while these are there.
+struct Sweep {
+    Shader shader = {};         // draws u_plane; the look-up has its defines, too
+    DrawList* draws = nullptr;  // some casters
+    Reads reads = {};
+    Texture* map = nullptr;
+    const Value<std::vector<float>>* planes = nullptr;  // depths
+    int planes_ahead = 1;  // that a look-up in front of plane k reads, from k on
+    std::function<void(PassContext&, int plane)> draw_on_cpu = {};
+    std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu = {};
+};
+
 // What a shader that asks for T takes besides the light.
 struct LookUp {
     Reads reads = {};
@@ -56,6 +70,8 @@ struct LookUp {
     bool own_correction = false;  // it also wants to know what the receiver itself casts
     // The look-up's form in C++, over the declared reads.
     std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu = {};
+    // Where it can answer about points without what `reads` hold.
+    std::optional<Sweep> sweep = {};
 };
 
 class Technique : public ParamOwner {

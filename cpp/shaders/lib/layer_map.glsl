@@ -16,19 +16,28 @@ ivec4 planes_of(int target) { return 4 * target + ivec4(1, 2, 3, 4); }
 uniform float u_kappa;
 
 vec4 stored(vec4 optical_depth) { return floor(255.0 * min(optical_depth / u_kappa, 1.0) + 0.5) / 255.0; }
-float restored(float value) { return u_kappa * value; }
+float restored(float value) { return u_kappa * min(value, 1.0); }
 #else
 vec4 stored(vec4 optical_depth) { return optical_depth; }
 float restored(float value) { return value; }
 #endif
 
-#ifndef PASS_opacity
+#ifdef SWEEP
+// Four planes at a time in one texture, each in the channel that it has in the map.
+layout(rgba32f) readonly uniform image2D i_slices;
+#elif !defined(PASS_opacity)
 uniform sampler2DArray t_opacity;
+#endif
 
+#ifndef PASS_opacity
 // Optical depth in front of plane k; nothing is in front of plane 0.
 float plane_optical_depth(ivec2 texel, int k) {
     if (k == 0) return 0.0;
     int slot = slot_of(k);
+#ifdef SWEEP
+    return restored(imageLoad(i_slices, texel)[slot % 4]);
+#else
     return restored(texelFetch(t_opacity, ivec3(texel, slot / 4), 0)[slot % 4]);
+#endif
 }
 #endif

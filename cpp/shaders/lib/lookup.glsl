@@ -15,6 +15,19 @@ uniform sampler2D t_opaque_moved;  // lib/surface.glsl
 uniform float u_bias;              // world units; negative: automatic
 uniform float u_light_least_bias;  // world units
 
+#ifdef SWEEP
+uniform vec2 u_slab;                            // from which depth to which
+uniform bool u_is_first_slab, u_is_last_slab;  // what lies before, or behind, counts too
+
+// A sweep asks slab by slab, and adds up what it is answered: a tap counts where it lies. Also one
+// that is not a number does, once.
+bool counts_at(float depth) {
+    return (u_is_first_slab || depth >= u_slab.x) && (u_is_last_slab || !(depth >= u_slab.y));
+}
+#else
+bool counts_at(float depth) { return true; }
+#endif
+
 // Sums over the taps of a look-up. Weights are divided by their sum, so that T = 1 stays 1 exactly.
 struct Taps {
     float weight;
@@ -63,6 +76,7 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     if (u_light_map_size_px < 4) texel = clamp(texel, ivec2(0), ivec2(u_light_map_size_px - 1));
     taps.weight += weight;
     depth = depth_at(receiver, texel, depth);
+    if (!counts_at(depth)) return;
     float optical_depth = 0.0;
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
         ivec2 place = receiver.corner + texel;
@@ -115,7 +129,7 @@ float face_transmittance(Receiver receiver) {
     float reach = largest_filter_radius + 1.0;
     precise bool is_near = depth > 0.0 && all(greaterThan(receiver.p_ls.xy, vec2(-reach))) &&
                            all(lessThan(receiver.p_ls.xy, vec2(float(u_light_map_size_px) + reach)));
-    if (!is_near) return 1.0;
+    if (!is_near) return counts_at(depth) ? 1.0 : 0.0;
     Taps taps = filtered_taps(receiver, depth);
 #ifdef DENSITY_FILTER
     // The density interpretation (Jansen and Bavoil 2010, section 6), of what no opaque caster hides.
@@ -134,7 +148,7 @@ float shadow_transmittance(Receiver receiver) {
     for (int eye = 0; eye < eyes; ++eye) {
         int face = face_of(eye, receiver.p_ls);
         bool is_before = seen_by(face, receiver.p_ls).z > least_forward;
-        sum += is_before ? face_transmittance(seen_through(face, receiver)) : 1.0;
+        sum += is_before ? face_transmittance(seen_through(face, receiver)) : counts_at(0.0) ? 1.0 : 0.0;
     }
     return sum / float(eyes);
 #else

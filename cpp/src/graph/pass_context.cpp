@@ -15,8 +15,8 @@ namespace {
 
 }  // namespace
 
-void PassContext::draw() {
-    graph_.device_.draw(pass_);
+void PassContext::draw(const Uniforms& extra) {
+    graph_.device_.draw(pass_, extra);
 }
 
 void PassContext::dispatch(int count, const Uniforms& extra) {

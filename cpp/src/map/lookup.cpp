@@ -1,5 +1,7 @@
 #include "map/lookup.hpp"
 
+#include <limits>
+
 #include "map/surface.hpp"
 
 namespace opacity {
@@ -36,6 +38,7 @@ void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, 
     if (size_px < 4) x = std::clamp(x, 0, size_px - 1), y = std::clamp(y, 0, size_px - 1);
     taps.weight += weight;
     depth = depth_at(receiver, x, y, depth);
+    if (!slab_.counts_at(depth)) return;
     float optical_depth = 0.f;
     if (x >= 0 && y >= 0 && x < size_px && y < size_px) {
         const std::size_t texel = std::size_t(receiver.corner_px[1] + y) * space_.width_px() +
@@ -58,9 +61,7 @@ MapLookUp::Taps MapLookUp::filtered_taps(const SeenReceiver& receiver, float dep
         add_tap(taps, receiver, at(px), at(py), depth, 1.f);
         return taps;
     }
-    const float wanted = filter_.width < 0.f ? filter_.radius_texels
-                                             : 0.5f * filter_.width * receiver.texels_per_unit;
-    const float radius = std::clamp(wanted, 1.f / 1024.f, largest_filter_radius);
+    const float radius = radius_texels(receiver);
     if (filter_.kernel == FilterKernel::pcf) {  // at a radius of two texels they are neighbours
         for (int i = 0; i < 16; ++i) {
             const float x = px + (float(i % 4) - 1.5f) * (0.5f * radius);
@@ -86,7 +87,8 @@ float MapLookUp::transmittance(const Receiver& receiver, float width) const {
     for (int eye = 0; eye < faces_.eye_count(); ++eye) {
         const MapFace& face = faces_[faces_.face_of(eye, receiver.p_ls)];
         const bool is_before = face.seen(receiver.p_ls)[2] > least_forward;
-        sum += is_before ? face_transmittance(seen_through(face, receiver, space_), width) : 1.f;
+        sum += is_before ? face_transmittance(seen_through(face, receiver, space_), width)
+                         : float(slab_.counts_at(0.f));
     }
     return sum / float(faces_.eye_count());
 }
@@ -102,13 +104,48 @@ float MapLookUp::bias_of(const SeenReceiver& receiver, float width) const {
     return std::max(bias, receiver.own_reach);
 }
 
+float MapLookUp::look_up_depth(const SeenReceiver& receiver, float width) const {
+    return receiver.p_ls[2] - bias_of(receiver, width) / float(space_.depth_range);
+}
+
+float MapLookUp::radius_texels(const SeenReceiver& receiver) const {
+    const float wanted = filter_.width < 0.f ? filter_.radius_texels
+                                             : 0.5f * filter_.width * receiver.texels_per_unit;
+    return std::clamp(wanted, 1.f / 1024.f, largest_filter_radius);
+}
+
+DepthRange MapLookUp::depths(const Receiver& receiver, float width) const {
+    DepthRange range{std::numeric_limits<float>::infinity(), 0.f};
+    const auto extend = [&](float depth) {
+        range = {std::min(range.first, depth), std::max(range.last, depth)};
+    };
+    const auto extend_by = [&](const SeenReceiver& seen) {
+        const float depth = look_up_depth(seen, width);
+        extend(depth);
+        if (seen.lies_on != on_surface) return;
+        const float reach = radius_texels(seen) + 1.f;  // of middles of texels
+        for (const float x : {-reach, reach})
+            for (const float y : {-reach, reach})
+                extend(depth + plane_change({seen.direction[0], seen.direction[1]}, x, y,
+                                            seen.largest_margin));
+    };
+    if (space_.map_size_px < 4) extend(0.f), extend(1.f);  // add_tap
+    if (space_.is_parallel()) extend_by(seen(receiver, space_));
+    for (int eye = 0; !space_.is_parallel() && eye < faces_.eye_count(); ++eye) {
+        extend(0.f);  // where the eye does not see it
+        extend_by(seen_through(faces_[faces_.face_of(eye, receiver.p_ls)], receiver, space_));
+    }
+    return range;
+}
+
 // Through one face of the map.
 float MapLookUp::face_transmittance(const SeenReceiver& receiver, float width) const {
-    const float depth = receiver.p_ls[2] - bias_of(receiver, width) / float(space_.depth_range);
+    const float depth = look_up_depth(receiver, width);
     const float reach = largest_filter_radius + 1.f, far = float(space_.map_size_px) + reach;
     const auto is_near = [&](float v) { return v > -reach && v < far; };
     // Also false for a coordinate that is not finite: T = 1, never NaN.
-    if (!(depth > 0.f && is_near(receiver.p_ls[0]) && is_near(receiver.p_ls[1]))) return 1.f;
+    if (!(depth > 0.f && is_near(receiver.p_ls[0]) && is_near(receiver.p_ls[1])))
+        return float(slab_.counts_at(depth));
     const Taps taps = filtered_taps(receiver, depth);
     if (!filter_.density) return taps.transmittance / taps.weight;
     // The density interpretation (Jansen and Bavoil 2010, section 6), of what no opaque caster

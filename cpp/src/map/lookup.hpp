@@ -30,23 +30,43 @@ struct OpaqueDepth {
     std::span<const float> first, moved;
 };
 
+// A sweep asks slab by slab, and adds up what it is answered: a tap counts where it lies. Also one
+// that is not a number does, once.
+struct DepthSlab {
+    float begin = 0.f, end = 1.f;
+    bool is_first = true, is_last = true;  // what lies before, or behind, counts too
+
+    bool counts_at(float depth) const {
+        return (is_first || depth >= begin) && (is_last || !(depth >= end));
+    }
+};
+
+struct DepthRange {
+    float first, last;
+};
+
 class MapLookUp {
    public:
     // `bias` in world units; negative: automatic.
     MapLookUp(const LightSpace& space, const TexelMap& map, const OpaqueDepth& opaque_depth,
-              const Filter& filter, double bias)
+              const Filter& filter, double bias, const DepthSlab& slab = {})
         : space_{space},
           faces_{space},
           map_{map},
           opaque_depth_{opaque_depth},
           filter_{filter},
-          bias_{bias} {}
+          bias_{bias},
+          slab_{slab} {}
 
     // T in [0, 1], of a positional light the mean over its points; `width` as in Query.
     float transmittance(const Receiver& receiver, float width) const;
+    // Of its taps, or more.
+    DepthRange depths(const Receiver& receiver, float width) const;
 
    private:
     struct Taps;
+    float radius_texels(const SeenReceiver& receiver) const;
+    float look_up_depth(const SeenReceiver& receiver, float width) const;
     float bias_of(const SeenReceiver& receiver, float width) const;
     float face_transmittance(const SeenReceiver& receiver, float width) const;
     void add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, float depth,
@@ -59,6 +79,7 @@ class MapLookUp {
     OpaqueDepth opaque_depth_;
     Filter filter_;
     double bias_;
+    DepthSlab slab_;
 };
 
 }  // namespace opacity

@@ -52,7 +52,7 @@ void CpuDevice::clear(const Pass& pass) {
     }
 }
 
-void CpuDevice::draw(const Pass& pass) {
+void CpuDevice::draw(const Pass& pass, const Uniforms&) {
     no_shaders(pass);
 }
 

@@ -171,12 +171,11 @@ void GlDevice::clear(const Pass& pass) {
     gl::check_errors(*context_, "clearing the targets of pass " + pass.name);
 }
 
-gl::Program& GlDevice::program(const Pass& pass, const Defines& shape_defines) {
+gl::Program& GlDevice::program(const Shader& shader, const Defines& shape_defines) {
     if (programs_revision_ != library_.revision()) programs_.clear();
     programs_revision_ = library_.revision();
-    std::unique_ptr<gl::Program>& program = programs_[{pass.shader, shape_defines}];
+    std::unique_ptr<gl::Program>& program = programs_[{shader, shape_defines}];
     if (program) return *program;
-    const Shader& shader = pass.shader;
     std::vector<gl::Stage> stages;
     if (!shader.vertex.empty()) stages.push_back({GL_VERTEX_SHADER, shader.vertex});
     if (!shader.fragment.empty()) stages.push_back({GL_FRAGMENT_SHADER, shader.fragment});
@@ -195,21 +194,24 @@ gl::Program& GlDevice::program(const Pass& pass, const Defines& shape_defines) {
     return *program;
 }
 
-void GlDevice::draw(const Pass& pass) {
+void GlDevice::draw(const Pass& pass, const Uniforms& extra) {
     bind_targets(pass);
     set_state(pass);
     gl().BindVertexArray(vertex_array_.name());
     int index = 0;
-    for (const ShapePtr& shape : pass.draws->shapes()) draw_shape(pass, shape, index++);
+    for (const ShapePtr& shape : pass.draws->shapes()) draw_shape(pass, shape, index++, extra);
     gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     resolve(pass);
     gl::check_errors(*context_, "drawing pass " + pass.name);
 }
 
-void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index) {
+void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
+                          const Uniforms& extra) {
     const GpuShape& gpu = shapes_.upload(shape);
     if (gpu.index_count == 0) return;
-    gl::Program& shader = program(pass, gpu.defines);
+    Shader drawing = pass.shader;
+    drawing.compute.clear();
+    gl::Program& shader = program(drawing, gpu.defines);
     ProgramFeeder feeder{*this, shader};
     feed_shape(feeder, pass, gpu);
     feeder.uniform("u_shape_index", index);
@@ -219,6 +221,7 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index) {
     for (const Source* read : pass.camera_reads) read->feed(feeder);
     feeder.set_space("");
     for (const Resource* store : pass.stores) feeder.store(*store);
+    for (const auto& [name, value] : extra) feeder.uniform(name, value);
     feeder.require_complete(pass);
 
     gl().UseProgram(shader.name());
@@ -229,7 +232,9 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index) {
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {
-    gl::Program& shader = program(pass, {});
+    Shader computing = pass.shader;
+    computing.vertex.clear(), computing.fragment.clear();
+    gl::Program& shader = program(computing, {});
     ProgramFeeder feeder{*this, shader};
     for (const Source* read : pass.reads) read->feed(feeder);
     for (const Resource* store : pass.stores) feeder.store(*store);
@@ -246,8 +251,7 @@ void GlDevice::resolve(const Pass& pass) {
         const TextureDesc& desc = target.texture->desc();
         if (desc.oversampling == 1 || desc.format == Format::depth32f) continue;
         const Image& image = images_.at(target.texture->name());
-        gl::Program& shader =
-            program({.name = "resolve", .shader = {.compute = "resolve.comp.glsl"}}, {});
+        gl::Program& shader = program({.compute = "resolve.comp.glsl"}, {});
         shader.set("u_oversampling", desc.oversampling);
         gl().BindTextureUnit(GLuint(*shader.sampler("t_samples")), image.samples->name());
         gl().BindImageTexture(GLuint(*shader.image("i_average")), image.texture.name(), 0, GL_FALSE,

@@ -31,7 +31,7 @@ class GlDevice : public Device {
     void allocate(const Resource& resource) override;
     void release(const Resource& resource) noexcept override;
     void clear(const Pass& pass) override;
-    void draw(const Pass& pass) override;
+    void draw(const Pass& pass, const Uniforms& extra) override;
     void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) override;
     void zero(const Resource& resource) override;
     void write(const Resource& resource, std::span<const std::byte> content) override;
@@ -51,13 +51,14 @@ class GlDevice : public Device {
     };
     friend class ProgramFeeder;
 
-    gl::Program& program(const Pass& pass, const Defines& shape_defines);
+    // Of a pass that draws and dispatches each has a program of its own.
+    gl::Program& program(const Shader& shader, const Defines& shape_defines);
     // Makes the pass's targets current: without any, a framebuffer of the size of what it stores
     // into.
     void bind_targets(const Pass& pass);
     void set_state(const Pass& pass) const;
     // `index` in the pass's list.
-    void draw_shape(const Pass& pass, const ShapePtr& shape, int index);
+    void draw_shape(const Pass& pass, const ShapePtr& shape, int index, const Uniforms& extra);
     void resolve(const Pass& pass);
     unsigned drawn_texture(const Texture& texture) const;
     const GladGLContext& gl() const { return context_->gl(); }

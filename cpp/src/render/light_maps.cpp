@@ -51,7 +51,7 @@ void LightMaps::add_passes(FrameGraph& graph, SceneLists& lists) {
     look_up_ = add_shadows(graph, lists);
     if (!map_size_reason_.empty()) look_up_.reads.push_back(&add_map_size(graph, lists));
     look_up_.reads.push_back(&view_);  // lighting places every vertex in the light's map
-    transmittance_ = &query_.add(graph, look_up_, *technique_, space_);
+    transmittance_ = &query_.add(graph, look_up_, *technique_, space_, view_);
 }
 
 // Says in the report what was chosen before any pass could be declared, and why.

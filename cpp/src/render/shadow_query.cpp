@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "map/lookup.hpp"
+#include "render/shadow_sweep.hpp"
 
 namespace opacity::render {
 namespace {
@@ -22,28 +23,73 @@ Filter filter_of(const Technique& technique) {
             float(technique.filter_width.get()), technique.filter_domain.is("density")};
 }
 
+MapLookUp look_up_of(const ShadowQuery::Asked& asked, const TexelMap& map,
+                     const OpaqueDepth& opaque, const DepthSlab& slab = {}) {
+    return {asked.space, map, opaque, filter_of(asked.technique), asked.technique.bias.get(), slab};
+}
+
+OpaqueDepth opaque_depth(PassContext& context, const ShadowLookUp& look_up) {
+    return {context.memory<float>(*look_up.opaque_depth),
+            context.memory<float>(*look_up.opaque_moved)};
+}
+
+template <class Body>
+void in_parts(std::size_t count, Body body) {
+    parallel_for((count + receivers_at_once - 1) / receivers_at_once, [&](std::size_t part) {
+        const std::size_t begin = part * receivers_at_once;
+        for (std::size_t i = begin; i < std::min(count, begin + receivers_at_once); ++i) body(i);
+    });
+}
+
+// Draws the planes that are missing before a look-up in front of this one. GLSL and C++ share it.
+template <class Draw>
+void draw_to(int plane, const Sweep& sweep, int& drawn, Draw draw) {
+    const int last = int(sweep.planes->get().size()) - 1;
+    while (drawn < std::min(plane + sweep.planes_ahead - 1, last)) draw(++drawn);
+}
+
+// Rounding shall not make more light of all parts than there is.
+void add_part(float& sum, float part) {
+    sum = std::min(sum + part, 1.f);
+}
+
+struct NoCasters : TexelMap {
+    float optical_depth(std::size_t, float, const OwnDeposit&) const override { return 0.f; }
+};
+
 }  // namespace
 
 const Resource& ShadowQuery::add(FrameGraph& graph, const ShadowLookUp& look_up,
-                                 const Technique& technique, const LightSpace& space) {
+                                 const Technique& technique, const LightSpace& space,
+                                 const View& light) {
     const Buffers buffers{graph.buffer("query"), graph.buffer("transmittance")};
-    Reads reads = look_up.reads;
-    reads.push_back(&asked_);
-    Defines defines = look_up.defines;
-    if (look_up.opaque_moved) {
-        reads.push_back(look_up.opaque_moved);
-        defines.emplace_back("BARE_POINTS", "1");
+    const std::optional<Sweep>& sweep = look_up.sweep;
+    Pass pass{.name = "transmittance",
+              .reads = sweep ? sweep->reads : look_up.reads,
+              .stores = {&buffers.query, &buffers.transmittance}};
+    if (sweep) {
+        pass.shader = sweep->shader;
+        pass.draws = sweep->draws;
+        pass.view = &light;
+        pass.writes = {sweep->map};
+        pass.stores.push_back(sweep->map);
+        pass.state.blend = Blend::add;
+    } else {
+        pass.shader.defines = look_up.defines;
     }
-    graph.add(
-        {.name = "transmittance",
-         .shader = {.compute = "transmittance.comp.glsl",
-                    .technique = look_up.shader,
-                    .defines = std::move(defines)},
-         .reads = std::move(reads),
-         .stores = {&buffers.query, &buffers.transmittance},
-         .execute = [this, buffers](PassContext& context) { ask_all(context, buffers); },
-         .on_cpu = [this, look_up, &technique, &space](
-                       PassContext& context) { look_up_all(context, look_up, technique, space); }});
+    pass.shader.compute = "transmittance.comp.glsl";
+    pass.shader.technique = look_up.shader;
+    pass.reads.push_back(&asked_);
+    if (look_up.opaque_moved) {
+        pass.reads.push_back(look_up.opaque_moved);
+        pass.shader.defines.emplace_back("BARE_POINTS", "1");
+    }
+    const Asked asked{look_up, technique, space, buffers};
+    pass.execute = [this, asked](PassContext& context) { ask_all(context, asked); };
+    pass.on_cpu = [this, asked](PassContext& context) {
+        asked.look_up.sweep ? sweep_on_cpu(context, asked) : look_up_all(context, asked);
+    };
+    graph.add(std::move(pass));
     return buffers.transmittance;
 }
 
@@ -53,39 +99,94 @@ void ShadowQuery::set(std::vector<Receiver> receivers, double width) {
     asked_.touch();
 }
 
-void ShadowQuery::ask_all(PassContext& context, const Buffers& buffers) {
+void ShadowQuery::ask_all(PassContext& context, const Asked& asked) {
     transmittance_.clear();
-    for (std::size_t first = 0; first < receivers_.size(); first += most_receivers)
-        ask(context, buffers, first);
+    for (std::size_t first = 0; first < receivers_.size(); first += most_receivers) {
+        const std::span<const Receiver> part = std::span{receivers_}.subspan(
+            first, std::min(most_receivers, receivers_.size() - first));
+        const std::vector<float> answers =
+            asked.look_up.sweep ? sweep(context, asked, part) : ask(context, asked, part);
+        transmittance_.insert(transmittance_.end(), answers.begin(), answers.end());
+    }
 }
 
-void ShadowQuery::ask(PassContext& context, const Buffers& buffers, std::size_t first) {
-    const std::span<const Receiver> part =
-        std::span{receivers_}.subspan(first, std::min(most_receivers, receivers_.size() - first));
-    const int count = int(part.size());
-    context.resize(buffers.query, part.size_bytes());
-    context.resize(buffers.transmittance, count * sizeof(float));
-    context.write(buffers.query, std::as_bytes(part));
-    context.dispatch(count, {{"u_receiver_count", count}, {"u_receiver_width", receiver_width_}});
-    const std::vector<float> answers = context.read<float>(buffers.transmittance);
-    transmittance_.insert(transmittance_.end(), answers.begin(), answers.end());
+// All of them, or those of a part, which are in the buffers already.
+void ShadowQuery::dispatch(PassContext& context, std::size_t first, std::size_t count,
+                           Uniforms more) const {
+    more.insert(more.end(), {{"u_receiver_first", int(first)},
+                             {"u_receiver_count", int(count)},
+                             {"u_receiver_width", receiver_width_}});
+    context.dispatch(int(count), more);
 }
 
-void ShadowQuery::look_up_all(PassContext& context, const ShadowLookUp& look_up,
-                              const Technique& technique, const LightSpace& space) {
+std::vector<float> ShadowQuery::ask(PassContext& context, const Asked& asked,
+                                    std::span<const Receiver> receivers) const {
+    context.resize(asked.buffers.query, receivers.size_bytes());
+    context.resize(asked.buffers.transmittance, receivers.size() * sizeof(float));
+    context.write(asked.buffers.query, std::as_bytes(receivers));
+    dispatch(context, 0, receivers.size());
+    return context.read<float>(asked.buffers.transmittance);
+}
+
+std::vector<float> ShadowQuery::sweep(PassContext& context, const Asked& asked,
+                                      std::span<const Receiver> receivers) const {
+    const Sweep& sweep = *asked.look_up.sweep;
+    const std::vector<float>& planes = sweep.planes->get();
+    const SlabLists lists =
+        sorted_into_slabs(receivers, receiver_width_, look_up_of(asked, NoCasters{}, {}), planes);
+    std::vector<Receiver> sorted;
+    for (const std::uint32_t i : lists.receivers) sorted.push_back(receivers[i]);
+    context.resize(asked.buffers.query, sorted.size() * sizeof(Receiver));
+    context.resize(asked.buffers.transmittance, sorted.size() * sizeof(float));
+    context.write(asked.buffers.query, std::as_bytes(std::span{sorted}));
+    context.zero(*sweep.map);
+    int drawn = 0;
+    for (std::size_t slab = 0; slab < lists.slabs(); ++slab) {
+        draw_to(int(slab) + 1, sweep, drawn, [&](int plane) {
+            context.draw({{"u_plane", plane}});
+        });
+        const DepthSlab here = slab_of(planes, slab);
+        dispatch(context, lists.firsts[slab], lists.of(slab).size(),
+                 {{"u_slab", std::vector<float>{here.begin, here.end}},
+                  {"u_is_first_slab", here.is_first},
+                  {"u_is_last_slab", here.is_last}});
+    }
+    context.note(std::to_string(drawn) + " slices in turn");
+    const auto answers = context.read<float>(asked.buffers.transmittance);
+    std::vector<float> sums(receivers.size(), 0.f);
+    for (std::size_t i = 0; i < answers.size(); ++i) add_part(sums[lists.receivers[i]], answers[i]);
+    return sums;
+}
+
+void ShadowQuery::look_up_all(PassContext& context, const Asked& asked) {
     transmittance_.assign(receivers_.size(), 1.f);
-    if (!look_up.on_cpu) return;
-    const std::unique_ptr<TexelMap> map = look_up.on_cpu(context);
-    const OpaqueDepth opaque{context.memory<float>(*look_up.opaque_depth),
-                             context.memory<float>(*look_up.opaque_moved)};
-    const MapLookUp answers{space, *map, opaque, filter_of(technique), technique.bias.get()};
-    parallel_for((receivers_.size() + receivers_at_once - 1) / receivers_at_once,
-                 [&](std::size_t part) {
-                     const std::size_t begin = part * receivers_at_once;
-                     const std::size_t end = std::min(receivers_.size(), begin + receivers_at_once);
-                     for (std::size_t i = begin; i < end; ++i)
-                         transmittance_[i] = answers.transmittance(receivers_[i], receiver_width_);
-                 });
+    if (!asked.look_up.on_cpu) return;
+    const std::unique_ptr<TexelMap> map = asked.look_up.on_cpu(context);
+    const MapLookUp answers = look_up_of(asked, *map, opaque_depth(context, asked.look_up));
+    in_parts(receivers_.size(), [&](std::size_t i) {
+        transmittance_[i] = answers.transmittance(receivers_[i], receiver_width_);
+    });
+}
+
+void ShadowQuery::sweep_on_cpu(PassContext& context, const Asked& asked) {
+    const Sweep& sweep = *asked.look_up.sweep;
+    const std::vector<float>& planes = sweep.planes->get();
+    const std::unique_ptr<TexelMap> map = sweep.on_cpu(context);
+    const OpaqueDepth opaque = opaque_depth(context, asked.look_up);
+    const SlabLists lists =
+        sorted_into_slabs(receivers_, receiver_width_, look_up_of(asked, *map, opaque), planes);
+    transmittance_.assign(receivers_.size(), 0.f);
+    int drawn = 0;
+    for (std::size_t slab = 0; slab < lists.slabs(); ++slab) {
+        draw_to(int(slab) + 1, sweep, drawn, [&](int plane) { sweep.draw_on_cpu(context, plane); });
+        const MapLookUp answers = look_up_of(asked, *map, opaque, slab_of(planes, slab));
+        const std::span<const std::uint32_t> here = lists.of(slab);
+        in_parts(here.size(), [&](std::size_t i) {
+            add_part(transmittance_[here[i]],
+                     answers.transmittance(receivers_[here[i]], receiver_width_));
+        });
+    }
+    context.note(std::to_string(drawn) + " slices in turn");
 }
 
 }  // namespace opacity::render

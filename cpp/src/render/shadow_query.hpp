@@ -1,6 +1,7 @@
 // Asks the maps for T at receivers: the pass "transmittance", with its shader or in C++.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,20 +22,32 @@ class ShadowQuery {
     explicit ShadowQuery(const std::string& asked) : asked_{asked} {}
     // `technique` and `space` are those of the look-up, and outlive the frame.
     const Resource& add(FrameGraph& graph, const ShadowLookUp& look_up, const Technique& technique,
-                        const LightSpace& space);
+                        const LightSpace& space, const View& light);
     // What the next run of the pass answers; `width` as in Query.
     void set(std::vector<Receiver> receivers, double width);
     const std::vector<float>& answers() const { return transmittance_; }
 
-   private:
     struct Buffers {
         Buffer &query, &transmittance;
     };
-    void ask_all(PassContext& context, const Buffers& buffers);
-    // Receivers from `first` on, as many as fit one storage buffer.
-    void ask(PassContext& context, const Buffers& buffers, std::size_t first);
-    void look_up_all(PassContext& context, const ShadowLookUp& look_up, const Technique& technique,
-                     const LightSpace& space);
+    struct Asked {
+        ShadowLookUp look_up;
+        const Technique& technique;
+        const LightSpace& space;
+        Buffers buffers;
+    };
+
+   private:
+    void ask_all(PassContext& context, const Asked& asked);
+    void dispatch(PassContext& context, std::size_t first, std::size_t count,
+                  Uniforms more = {}) const;
+    // Of receivers that fit one storage buffer: all at once, or slab by slab.
+    std::vector<float> ask(PassContext& context, const Asked& asked,
+                           std::span<const Receiver> receivers) const;
+    std::vector<float> sweep(PassContext& context, const Asked& asked,
+                             std::span<const Receiver> receivers) const;
+    void look_up_all(PassContext& context, const Asked& asked);
+    void sweep_on_cpu(PassContext& context, const Asked& asked);
 
     UniformSet asked_;
     std::vector<Receiver> receivers_;

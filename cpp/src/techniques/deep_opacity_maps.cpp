@@ -7,6 +7,7 @@
 #include "opacity/core/error.hpp"
 #include "opacity/core/slicing.hpp"
 #include "techniques/histogram.hpp"
+#include "techniques/smoothing.hpp"
 
 namespace opacity::techniques {
 namespace {
@@ -36,7 +37,9 @@ LookUp DeepOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     const bool is_packed = packing.is("4n-1");
     // What the map's own channel holds is what the layers lie behind.
     const int bits = is_packed ? std::min(depth_bits.get(), accumulator_bits()) : depth_bits.get();
-    Texture& start = add_first_depth(graph, inputs, bits);
+    const bool is_smooth = smoothing.get() > 0;
+    Texture& first = add_first_depth(graph, inputs, bits);
+    Texture& start = is_smooth ? add_smooth_depth(graph, inputs, first, smoothing) : first;
     const Places places{graph.value("planes", std::vector<float>{}),
                         graph.value("layers_depth", 1.f)};
     const bool finds_extent = layer_extent.is_auto() && layer_sizes.numbers().empty();
@@ -55,7 +58,10 @@ LookUp DeepOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     const DrawnLayers drawn =
         add_layers(graph, inputs, span, places.planes,
                    {.packed = is_packed, .ignores_beyond = beyond.is("ignore")});
-    return layers_look_up(inputs, drawn);
+    if (!is_smooth) return layers_look_up(inputs, drawn);
+    LookUp look_up = layers_look_up(inputs, add_smooth_layers(graph, inputs, drawn, smoothing));
+    look_up.own_correction = false;  // a caster's own part lies around it now
+    return look_up;
 }
 
 // Of the layers, in any unit.

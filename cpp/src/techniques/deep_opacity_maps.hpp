@@ -62,6 +62,13 @@ class DeepOpacityMaps : public Layered {
         "depth_bits",
         {32, 16, 8},
         "Of the depth at which the layers begin: 16 is a half float, 8 even steps."};
+    Param<int> smoothing{
+        *this,
+        "smoothing",
+        0,
+        {0, 8},
+        "Texels to each side over which the depth and the layers are averaged: "
+        "against flicker, at the price of the silhouettes; without own_correction."};
 
    private:
     // Planes of [0, 1], and d_K: how far behind the first caster plane 1 lies, in light space.

@@ -36,10 +36,14 @@ struct DrawnLayers {
     Value<float>* kappa = nullptr;  // the optical depth of a full channel, where one has 8 bits
     bool is_packed = false;
     bool ignores_beyond = false;  // what lies behind the last layer casts nothing
+    bool is_swept = false;        // the map holds four planes at a time
 
     // The optical depth that a 1 in the map means.
     float unit() const { return kappa ? kappa->get() : 1.f; }
-    Slot slot_of(int k) const { return techniques::slot_of(k, is_packed); }
+    Slot slot_of(int k) const {
+        const Slot slot = techniques::slot_of(k, is_packed);
+        return is_swept ? Slot{0, slot.channel} : slot;
+    }
     void add_to(Reads& reads) const {
         reads.push_back(&planes);
         for (const Source* source :

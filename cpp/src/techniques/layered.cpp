@@ -126,6 +126,25 @@ void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const Dr
     }
 }
 
+Sweep Layered::layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& all,
+                            bool is_cubic) const {
+    DrawnLayers drawn{graph.texture("slices", inputs.map(Format::rgba32f)), all.planes, all.span,
+                      all.kappa};
+    drawn.is_swept = true;
+    LookUp look_up = layers_look_up(inputs, all, is_cubic);
+    std::erase(look_up.reads, &all.map);
+    Shader shader = inputs.caster_shader("slice.frag.glsl", true, std::move(look_up.defines));
+    shader.defines.emplace_back("SWEEP", "1");
+    return {.shader = std::move(shader),
+            .draws = &inputs.translucent,
+            .reads = inputs.caster_reads(true, std::move(look_up.reads)),
+            .map = &drawn.map,
+            .planes = &drawn.planes,
+            .planes_ahead = is_cubic ? 2 : 1,
+            .draw_on_cpu = plane_on_cpu(inputs, drawn),
+            .on_cpu = look_up_on_cpu(drawn, is_cubic)};
+}
+
 LookUp Layered::layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn, bool is_cubic,
                                Reads more) const {
     more.insert(more.end(), {&drawn.map, &layers});

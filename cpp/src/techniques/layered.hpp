@@ -49,6 +49,9 @@ class Layered : public Technique {
     // `is_cubic`: interpolates between planes by a monotone cubic, not a line.
     LookUp layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn,
                           bool is_cubic = false, Reads more = {}) const;
+    // The same look-up in four planes at a time, of layers that begin and end alike in all texels.
+    Sweep layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
+                       bool is_cubic) const;
     int accumulator_bits() const;
 
    private:

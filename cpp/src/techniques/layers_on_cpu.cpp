@@ -61,19 +61,20 @@ class LayerMap {
           texel_count_{std::size_t(drawn.map.desc().width) * drawn.map.desc().height},
           format_{drawn.map.desc().format},
           unit_{drawn.unit()},
-          is_packed_{drawn.is_packed} {}
+          drawn_{drawn} {}
 
     float& at(std::size_t texel, const Slot& slot) const {
         return values_[(slot.target * texel_count_ + texel) * planes_per_target + slot.channel];
     }
-    float& plane(std::size_t texel, int k) const { return at(texel, slot_of(k, is_packed_)); }
+    float& plane(std::size_t texel, int k) const { return at(texel, drawn_.slot_of(k)); }
     // Nothing is in front of plane 0.
     float optical_depth(std::size_t texel, int k) const {
-        return k == 0 ? 0.f : unit_ * plane(texel, k);
+        if (k == 0) return 0.f;
+        return drawn_.kappa ? unit_ * std::min(plane(texel, k), 1.f) : plane(texel, k);
     }
     // What `part` of a caster adds to a plane, beyond what `less` of it does.
     float added(float optical_depth, float part, float less) const {
-        if (format_ != Format::rgba8) return optical_depth * (part - less);
+        if (!drawn_.kappa) return optical_depth * (part - less);
         const auto stored = [&](float value) {
             return rounded_to_8_bits(std::min(optical_depth * value / unit_, 1.f));
         };
@@ -81,7 +82,7 @@ class LayerMap {
     }
     // What is left of a sum.
     float kept(float sum) const {
-        if (format_ == Format::rgba8) return rounded_to_8_bits(std::min(sum, 1.f));
+        if (drawn_.kappa) return rounded_to_8_bits(std::min(sum, 1.f));
         return format_ == Format::rgba16f ? rounded_to_half(sum) : sum;
     }
 
@@ -90,7 +91,7 @@ class LayerMap {
     std::size_t texel_count_;
     Format format_;
     float unit_;
-    bool is_packed_;
+    const DrawnLayers& drawn_;
 };
 
 // First each layer's own optical depth, then the sum of all before: one write a fragment.
@@ -129,7 +130,7 @@ class LayerSums {
 class LayeredTexels : public TexelMap {
    public:
     LayeredTexels(PassContext& context, const DrawnLayers& drawn, bool is_cubic)
-        : planes_{context, drawn}, map_{context, drawn}, is_cubic_{is_cubic} {}
+        : drawn_{drawn}, planes_{context, drawn_}, map_{context, drawn_}, is_cubic_{is_cubic} {}
 
     float optical_depth(std::size_t texel, float depth, const OwnDeposit& own) const override {
         if (!(depth > planes_.start(texel))) return 0.f;
@@ -169,6 +170,7 @@ class LayeredTexels : public TexelMap {
         return monotone_cubic(places, values, x);
     }
 
+    const DrawnLayers drawn_;
     LayerPlanes planes_;
     LayerMap map_;
     bool is_cubic_;
@@ -211,6 +213,24 @@ OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int fi
                 if (drawn.is_packed && first_target == 0)
                     map.at(texel, {0, 3}) = planes.start(texel);
             }
+        });
+    };
+}
+
+std::function<void(PassContext&, int plane)> plane_on_cpu(const ShadowInputs& inputs,
+                                                          const DrawnLayers& drawn) {
+    return [inputs, drawn](PassContext& context, int plane) {
+        const LayerPlanes planes{context, drawn};
+        const LayerMap map{context, drawn};
+        for_each_fragment(inputs.fragments(context, true), [&](const Fragment& fragment) {
+            const std::size_t texel = fragment.texel;
+            const float begin = planes.position(texel, fragment.depth);
+            const float end = planes.position(texel, fragment.depth_end);
+            const auto part = [&](int k) {
+                return k > 0 ? counted_at(planes.planes, k, begin, end) : 0.f;
+            };
+            map.plane(texel, plane) +=
+                map.added(fragment.optical_depth, part(plane), part(plane - planes_per_target));
         });
     };
 }

@@ -22,6 +22,10 @@ OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
 OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
                     int target_count, int block_stride);
 
+// Of a swept map: plane k follows plane k - 4, in whose place it comes; slice.frag.glsl.
+std::function<void(PassContext&, int plane)> plane_on_cpu(const ShadowInputs& inputs,
+                                                          const DrawnLayers& drawn);
+
 // `is_cubic`: between planes a monotone cubic, not a line.
 std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& drawn,
                                                                       bool is_cubic);

@@ -8,7 +8,8 @@
 // Cost: ceil(N / 32) blended passes into ceil(N / 4) RGBA32F layers, 16 ceil(N / 4) bytes a texel;
 // RGBA16F half of it, RGBA8 a quarter. Slicing by density, when the casters, their opacity or the
 // light changed: 2 more passes and one read-back. Look-up: 4 texels, 2 slices each (4 with cubic
-// interpolation), whatever N is.
+// interpolation), whatever N is. With buffers = "two" the casters are drawn N times, 16 bytes a
+// texel are all, and M points are asked once each in their slices: pseudo code, loops 2 to 4.
 //
 // Fails: light that enters a slice fades from its front on, whatever lies there; where surfaces
 // slope toward the light each slice shows as a band, and neighbouring texels that begin at
@@ -50,6 +51,11 @@ class OpacityShadowMaps : public Layered {
                          "interpolation",
                          {"linear", "cubic"},
                          "Between slices: a line, or a monotone cubic through four."};
+    Choice buffers{*this,
+                   "buffers",
+                   {"all", "two"},
+                   "two: points and vertices are asked slice by slice, with no more maps than the "
+                   "slices around them; pictures, and filter_domain density, keep all."};
     AutoParam<double> kappa{*this,
                             "kappa",
                             {0.1, 100.0},

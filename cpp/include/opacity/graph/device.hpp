@@ -29,7 +29,7 @@ class Device {
 
     // Clears the pass's targets; then draws, once for each shape of its list.
     virtual void clear(const Pass& pass) = 0;
-    virtual void draw(const Pass& pass) = 0;
+    virtual void draw(const Pass& pass, const Uniforms& extra) = 0;
     virtual void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) = 0;
 
     virtual void zero(const Resource& resource) = 0;

@@ -19,9 +19,9 @@ class PassContext {
    public:
     PassContext(FrameGraph& graph, const Pass& pass) : graph_{graph}, pass_{pass} {}
 
-    void draw();
-    // At least `count` invocations of a shader that includes lib/invocation.glsl; `extra` uniforms
-    // besides those of the reads.
+    // With `extra` uniforms besides those of the reads.
+    void draw(const Uniforms& extra = {});
+    // At least `count` invocations of a shader that includes lib/invocation.glsl.
     void dispatch(int count, const Uniforms& extra = {});
     // A declared store gets a new size before it is written.
     void resize(Texture& texture, const TextureDesc& desc);
