@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "opacity/renderer.hpp"
@@ -61,6 +62,17 @@ inline Renderer small_renderer(const std::shared_ptr<Scene>& scene,
     Renderer renderer{scene, above(), std::move(technique), std::move(context)};
     make_small(renderer);
     return renderer;
+}
+
+// What a technique makes of casters with this transmittance: to a shadow map they are opaque.
+inline double seen_by(const std::string& technique, double transmittance) {
+    if (technique == "unshadowed") return 1.0;
+    return technique == "shadow_map" && transmittance < 1.0 ? 0.0 : transmittance;
+}
+
+// How far from it a technique may be where its planes do not matter.
+inline double bound_of(const std::string& technique) {
+    return technique == "deep_shadow_maps" ? 0.01 : 1e-5;  // its error_bound
 }
 
 inline bool same(const Image& a, const Image& b) {
