@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace opacity {
 namespace {
@@ -25,6 +26,26 @@ double fragment_optical_depth(const OpticalDepthProfiles& profiles) {
     return count ? sum / double(count) : 0.0;
 }
 
+// What a cell holds at most, with a probability of 95 %, if it holds any, and if chance alone
+// spreads fragments over cells of which this part holds some.
+std::size_t most_by_chance(double occupied) {
+    if (occupied >= 1.0) return std::numeric_limits<std::size_t>::max();
+    const double mean = -std::log1p(-occupied);  // of a Poisson distribution
+    std::size_t most = 0;
+    for (double more = occupied, exactly = 1.0 - occupied; more > 0.05 * occupied;) {
+        exactly *= mean / double(++most);
+        more -= exactly;
+    }
+    return std::max<std::size_t>(most, 1);
+}
+
+double occupied_part(std::span<const float> texel) {
+    std::size_t occupied = 0;
+    for (std::size_t k = 0; k < texel.size(); ++k)
+        occupied += at_plane(texel, k + 1) > at_plane(texel, k);
+    return double(occupied) / double(texel.size());
+}
+
 }  // namespace
 
 PlaneCell cell_of(std::span<const float> planes, double x) {
@@ -35,18 +56,23 @@ PlaneCell cell_of(std::span<const float> planes, double x) {
 }
 
 FineProfiles::FineProfiles(const OpticalDepthProfiles& profiles)
-    : profiles_{profiles}, fragment_{fragment_optical_depth(profiles)} {}
+    : profiles_{profiles}, fragment_{fragment_optical_depth(profiles)} {
+    for (std::size_t t = 0; t < profiles.texel_count(); ++t)
+        most_.push_back(most_by_chance(occupied_part(profiles.texel(t))));
+}
 
-double FineProfiles::fragment_of(double cell) const {
-    return fragment_ > 0.0 ? cell / std::max(1.0, std::round(cell / fragment_)) : 0.0;
+double FineProfiles::fragment_of(std::span<const float> texel, double cell) const {
+    if (!(fragment_ > 0.0)) return 0.0;
+    const std::size_t index = std::size_t(texel.data() - profiles_.values.data()) / texel.size();
+    return cell / std::clamp(std::round(cell / fragment_), 1.0, double(most_[index]));
 }
 
 double FineProfiles::in_front(std::span<const float> texel, double x) const {
     const PlaneCell cell = cell_of(profiles_.planes, x);
     double begin = at_plane(texel, cell.index), end = at_plane(texel, cell.index + 1);
     const double inside = end - begin;
-    if (cell.index == 0) begin += fragment_of(inside);
-    if (cell.index + 1 == texel.size()) end -= fragment_of(inside);
+    if (cell.index == 0) begin += fragment_of(texel, inside);
+    if (cell.index + 1 == texel.size()) end -= fragment_of(texel, inside);
     return std::lerp(begin, std::max(begin, end), cell.along);
 }
 

@@ -65,18 +65,20 @@ double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
         if (!is_covered(exact)) continue;
         const Receiver look_up{layers, layers.texel(t),         fine,
                                exact,  fine.profiles().bias(t), own_correction};
-        const auto add = [&](double weight, double error) {
+        // Each fragment counts once, however opaque; a medium by its optical depth.
+        const auto add = [&](double optical_depth, double own, double error) {
+            const double weight = own > 0.0 ? optical_depth / own : optical_depth;
             squares += weight * error * error;
             weights += weight;
         };
         for (std::size_t k = 0; k + 1 < cells.size(); ++k) {
             const double cell = at_plane(exact, k + 1) - at_plane(exact, k);
             if (!(cell > 0.0)) continue;
-            const double own = fine.fragment_of(cell);
+            const double own = fine.fragment_of(exact, cell);
             // T = 1 on the first one, whatever the layers.
             const double others = cell - (k == 0 ? own : 0.0) - (k + 2 == cells.size() ? own : 0.0);
-            if (others > 1e-6 * cell) add(others, look_up.error_in(k, own));
-            if (k + 2 == cells.size()) add(own, look_up.error_on_last(own));
+            if (others > 1e-6 * cell) add(others, own, look_up.error_in(k, own));
+            if (k + 2 == cells.size()) add(own, own, look_up.error_on_last(own));
         }
     }
     return weights > 0.0 ? std::sqrt(squares / weights) : 0.0;

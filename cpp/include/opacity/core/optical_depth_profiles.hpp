@@ -46,8 +46,10 @@ class FineProfiles {
     explicit FineProfiles(const OpticalDepthProfiles& profiles);
 
     const OpticalDepthProfiles& profiles() const noexcept { return profiles_; }
-    // One of the equal fragments that a cell of this optical depth holds.
-    double fragment_of(double cell) const;
+    // One of the equal fragments that a cell of this texel holds, if it has this optical depth. By
+    // their mean, yet no more than chance puts in one cell of a texel with so many empty ones: a
+    // leaf may be more opaque than most, and is one all the same.
+    double fragment_of(std::span<const float> texel, double cell) const;
     // In front of x in (0, 1) of a texel.
     double in_front(std::span<const float> texel, double x) const;
     // The same texels at other planes.
@@ -58,6 +60,7 @@ class FineProfiles {
     // Mean of the cells that stand between empty ones. 0 where casters fill their cells, as smoke
     // does.
     double fragment_;
+    std::vector<std::size_t> most_;  // of each texel
 };
 
 }  // namespace opacity
