@@ -221,7 +221,7 @@ TEST_CASE("with own_correction, layers that hold one fragment each make no error
     const std::vector<float> planes = layer_planes(64, 0.0);
     const std::vector<float> steps =
         profiles_of({[](double x) { return 0.3 * std::floor(7.99 * x + 0.5); }}, planes);
-    const SplitMeasure corrected{.own_correction = true};
+    const SplitMeasure corrected{.look_up = {.own_correction = true}};
     CHECK(score({planes, steps}, 64, 0.0, corrected) < 1e-6);
     CHECK(score({planes, steps}, 8, 0.0, corrected) < 1e-6);
     CHECK(score({planes, steps}, 8, 0.0) > 0.03);
@@ -257,7 +257,8 @@ TEST_CASE("the last caster lies at the end of its layer, whatever the ratio") {
         const double error = std::exp(-0.4) - std::exp(-0.8);
         CHECK(score({fine_planes, values}, 8, tenth / 10.0) ==
               doctest::Approx(error).epsilon(1e-6));
-        CHECK(score({fine_planes, values}, 8, tenth / 10.0, {.own_correction = true}) < 1e-6);
+        CHECK(score({fine_planes, values}, 8, tenth / 10.0, {.look_up = {.own_correction = true}}) <
+              1e-6);
     }
 }
 

@@ -27,6 +27,9 @@ float restored(float value) { return value; }
 layout(rgba32f) readonly uniform image2D i_slices;
 #elif !defined(PASS_opacity)
 uniform sampler2DArray t_opacity;
+#ifdef MEAN_DEPTHS
+uniform sampler2DArray t_moments;
+#endif
 #endif
 
 #ifndef PASS_opacity
@@ -40,4 +43,13 @@ float plane_optical_depth(ivec2 texel, int k) {
     return restored(texelFetch(t_opacity, ivec3(texel, slot / 4), 0)[slot % 4]);
 #endif
 }
+
+#ifdef MEAN_DEPTHS
+// The same sum, of optical depth times the position where it lies.
+float plane_moment(ivec2 texel, int k) {
+    if (k == 0) return 0.0;
+    int slot = slot_of(k);
+    return texelFetch(t_moments, ivec3(texel, slot / 4), 0)[slot % 4];
+}
+#endif
 #endif

@@ -23,6 +23,9 @@ float counted_part(TexelLayers layers, float begin, float end) {
 #include "lib/deposit.glsl"
 
 layout(location = 0) out vec4 o_planes[TARGETS];
+#ifdef MEAN_DEPTHS
+layout(location = TARGETS) out vec4 o_moments[TARGETS];
+#endif
 
 // A search of planes looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks,
 // since rasterisers skip those that are discarded whole.
@@ -47,13 +50,17 @@ void main() {
         if (FIRST_TARGET + target == 0) value.a = layers.start;  // of equals the largest remains
 #endif
         o_planes[target] = value;
+#ifdef MEAN_DEPTHS
+        for (int i = 0; i < 4; ++i) part[i] *= mean_in_front(plane[i], first, last);
+        o_moments[target] = optical_depth * part;
+#endif
     }
 }
 #else
 
 #include "lib/receiver.glsl"
 
-#ifdef CUBIC
+#if defined(CUBIC)
 #include "lib/monotone_cubic.glsl"
 
 // Between planes `layer` and layer + 1, through their neighbours. The receiver's own part is taken out
@@ -66,6 +73,28 @@ float between_planes(ivec2 texel, int layer, float x, vec3 own) {
         values[i] = plane_optical_depth(texel, k) - own.z * counted_at(k, own.x, own.y);
     }
     return monotone_cubic(places, values, x);
+}
+#elif defined(MEAN_DEPTHS)
+// Optical depth grows evenly about the mean depth of what the layer holds, as far as its nearer plane.
+// Of FEW_CASTERS: the mean of T if it is that of two, each anywhere there.
+float between_planes(ivec2 texel, int layer, float x, vec3 own) {
+    vec2 sums[2];  // optical depth, and times position, in front of either plane
+    for (int i = 0; i < 2; ++i) {
+        int k = layer + i;
+        float own_part = own.z * counted_at(k, own.x, own.y);
+        sums[i] = vec2(plane_optical_depth(texel, k) - own_part,
+                       plane_moment(texel, k) - own_part * mean_in_front(k, own.x, own.y));
+    }
+    vec2 held = sums[1] - sums[0];
+    if (!(held.x > 0.0)) return sums[0].x;
+    float low = u_planes[layer], high = u_planes[layer + 1];
+    float mean = clamp(held.y / held.x, low, high), reach = min(mean - low, high - mean);
+    float met = part_in_front(mean - reach, mean + reach, x);
+#ifdef FEW_CASTERS
+    return sums[0].x + 2.0 * optical_depth_of(met * opacity_of(0.5 * held.x));
+#else
+    return sums[0].x + met * held.x;
+#endif
 }
 #else
 // Optical depth grows evenly from one plane to the next.
@@ -80,10 +109,13 @@ float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
     TexelLayers layers = texel_layers(texel);
     if (!(depth > layers.start)) return 0.0;
     own.optical_depth *= counted_part(layers, own.depth, own.depth_end);
-    if (depth >= layers.end) return plane_optical_depth(texel, u_layers) - own.optical_depth;
     float x = position(layers, depth);
+    int layer = layer_of(x);
+    float in_front = own_in_front(own, depth);
+    if (in_front > 0.0) in_front = min(in_front, plane_optical_depth(texel, layer + 1));
+    if (depth >= layers.end) return plane_optical_depth(texel, u_layers) - own.optical_depth + in_front;
     vec3 own_part = vec3(position(layers, own.depth), position(layers, own.depth_end), own.optical_depth);
-    return between_planes(texel, layer_of(x), x, own_part);
+    return between_planes(texel, layer, x, own_part) + in_front;
 }
 
 #include "lib/lookup.glsl"

@@ -34,6 +34,9 @@ float counted_at(int k, float begin, float end) {
     return k > layer_of(begin) ? 1.0 : 0.0;
 }
 
+// The mean position of what plane k counts of it.
+float mean_in_front(int k, float begin, float end) { return 0.5 * (begin + min(end, max(begin, u_planes[k]))); }
+
 // A layer's optical depth is taken to grow evenly from one plane to the next. The part of a caster
 // that a look-up in `layer`, so far `along` it, has counted.
 float counted(float begin, float end, int layer, float along) {

@@ -120,3 +120,8 @@ OwnDeposit own_deposit(Receiver receiver, ivec2 texel) {
     return receiver.width_texels > 0.0 ? own_strand_deposit(receiver, middle)
                                        : own_surface_deposit(receiver, middle);
 }
+
+// What of it lies in front of a depth, and counts as any other caster does. A particle never does.
+float own_in_front(OwnDeposit own, float depth) {
+    return own.depth_end > own.depth || own.depth >= depth ? 0.0 : own.optical_depth;
+}

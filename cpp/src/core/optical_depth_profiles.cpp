@@ -67,13 +67,18 @@ double FineProfiles::fragment_of(std::span<const float> texel, double cell) cons
     return cell / std::clamp(std::round(cell / fragment_), 1.0, double(most_[index]));
 }
 
+double FineProfiles::inside(std::span<const float> texel, std::size_t cell) const {
+    const double all = at_plane(texel, cell + 1) - at_plane(texel, cell);
+    const int on_planes = (cell == 0) + (cell + 1 == texel.size());
+    return std::max(0.0, all - on_planes * fragment_of(texel, all));
+}
+
 double FineProfiles::in_front(std::span<const float> texel, double x) const {
     const PlaneCell cell = cell_of(profiles_.planes, x);
-    double begin = at_plane(texel, cell.index), end = at_plane(texel, cell.index + 1);
-    const double inside = end - begin;
-    if (cell.index == 0) begin += fragment_of(texel, inside);
-    if (cell.index + 1 == texel.size()) end -= fragment_of(texel, inside);
-    return std::lerp(begin, std::max(begin, end), cell.along);
+    double begin = at_plane(texel, cell.index);
+    const double all = at_plane(texel, cell.index + 1) - begin;
+    if (cell.index == 0) begin += fragment_of(texel, all);
+    return begin + cell.along * inside(texel, cell.index);
 }
 
 std::vector<float> FineProfiles::rebinned(std::span<const float> planes) const {
@@ -87,6 +92,31 @@ std::vector<float> FineProfiles::rebinned(std::span<const float> planes) const {
         *value = texel.back();
     }
     return values;
+}
+
+// The first caster's is 0.
+std::vector<float> FineProfiles::rebinned_moments(std::span<const float> planes) const {
+    const std::span<const float> cells = profiles_.planes;
+    std::vector<float> result;
+    result.reserve(profiles_.texel_count() * (planes.size() - 1));
+    for (std::size_t t = 0; t < profiles_.texel_count(); ++t) {
+        const std::span<const float> texel = profiles_.texel(t);
+        std::size_t cell = 0;
+        double before = 0.0;  // of whole cells
+        for (std::size_t k = 1; k + 1 < planes.size(); ++k) {
+            const auto part = [&](double end) {
+                return inside(texel, cell) * (end - cells[cell]) / (cells[cell + 1] - cells[cell]) *
+                       0.5 * (cells[cell] + end);
+            };
+            for (; cells[cell + 1] < planes[k]; ++cell) before += part(cells[cell + 1]);
+            result.push_back(float(before + part(planes[k])));
+        }
+        for (; cell < texel.size(); ++cell)
+            before += inside(texel, cell) * 0.5 * (cells[cell] + cells[cell + 1]);
+        const double last = texel.back() - at_plane(texel, texel.size() - 1);
+        result.push_back(float(before + fragment_of(texel, last)));
+    }
+    return result;
 }
 
 }  // namespace opacity

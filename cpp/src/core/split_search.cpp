@@ -95,7 +95,7 @@ double split_score(const SplitMeasure& measure, const OpticalDepthProfiles& laye
         case Similarity::paper_correlation:
             return paper_correlation(layers);
         default:
-            return split_error(layers, fine, measure.own_correction);
+            return split_error(layers, fine, measure.look_up);
     }
 }
 
@@ -108,7 +108,10 @@ std::size_t find_split_trial(const FineProfiles& fine, int layers, const SplitMe
     for (std::size_t trial = 0; trial < split_trials; ++trial) {
         const std::vector<float> planes = layer_planes(layers, trial_ratio(trial));
         const std::vector<float> values = fine.rebinned(planes);
-        scores.push_back(split_score(measure, {planes, values}, fine));
+        const std::vector<float> moments =
+            measure.has_moments ? fine.rebinned_moments(planes) : std::vector<float>{};
+        scores.push_back(
+            split_score(measure, {.planes = planes, .values = values, .moments = moments}, fine));
     }
     return best_trial(scores);
 }

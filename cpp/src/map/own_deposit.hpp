@@ -11,6 +11,11 @@ struct OwnDeposit {
     float optical_depth = 0.f;  // 0: nothing
 };
 
+// What of it lies in front of a depth, and counts as any other caster does. A particle never does.
+inline float own_in_front(const OwnDeposit& own, float depth) {
+    return own.depth_end > own.depth || own.depth >= depth ? 0.f : own.optical_depth;
+}
+
 // Of the texel (x, y) of the receiver's face.
 OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y, double depth_range);
 

@@ -28,6 +28,11 @@ inline float counted_at(std::span<const float> planes, int k, float begin, float
     return k > layer_of(planes, begin) ? 1.f : 0.f;
 }
 
+// The mean position of what plane k counts of it.
+inline float mean_in_front(std::span<const float> planes, int k, float begin, float end) {
+    return 0.5f * (begin + std::min(end, std::max(begin, planes[std::size_t(k)])));
+}
+
 // A layer's optical depth is taken to grow evenly from one plane to the next. The part of a caster
 // that a look-up in `layer`, so far `along` it, has counted.
 inline float counted(std::span<const float> planes, float begin, float end, int layer,

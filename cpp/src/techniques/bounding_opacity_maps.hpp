@@ -5,12 +5,14 @@
 // planes are laid between the bounds of that texel, so layers follow the shape of the casters on
 // both sides, and each plane holds the optical depth in front of it. The planes may be evenly
 // spaced, dense near the light (logarithmic), or a mix whose ratio is found by reading layers back
-// to the CPU: eleven ratios from one fine histogram, or one ratio a frame, as in the thesis.
+// to the CPU: eleven ratios from one fine histogram, or one ratio a frame, as in the thesis. Beyond
+// the thesis, each layer keeps the mean depth of what it holds (docs/accuracy.md, "The look-up").
 //
-// Cost: 2 depth passes and ceil(K / 32) blended passes into ceil(K / 4) RGBA32F layers; 8 + 16
-// ceil(K / 4) bytes a texel. The search, when the casters, their opacity or the light changed: 2
-// more passes and one read-back, or a read-back in each of eleven frames. Look-up: 4 texels, 2
-// bounds and 2 planes each, whatever K is.
+// Cost: 2 depth passes and ceil(K / 16) blended passes into two arrays of ceil(K / 4) RGBA32F
+// layers; 8 + 32 ceil(K / 4) bytes a texel. With linear interpolation ceil(K / 32) passes into one.
+// The search, when the casters, their opacity or the light changed: 2 more passes and one
+// read-back, or a read-back in each of eleven frames. Look-up: 4 texels, 2 bounds and 2 planes
+// each, whatever K is.
 //
 // Fails: two clusters far apart in one texel (most planes lie in the gap); one split curve for the
 // whole map.
@@ -59,8 +61,17 @@ class BoundingOpacityMaps : public Layered {
                             "Frames that a search takes: 1 tries all ratios on one histogram, 11 "
                             "draws one ratio a frame, as the thesis does."};
 
+    Choice interpolation{*this,
+                         "interpolation",
+                         {"auto", "linear", "mean_depth"},
+                         "Between planes: linear lets optical depth grow evenly, as in the thesis; "
+                         "mean_depth keeps the mean depth of what each layer holds, and T falls "
+                         "about it; auto does so with the accumulator float32 and our deposit "
+                         "rule."};
+
    private:
     double fixed_ratio() const;
+    Interpolation between_planes(const ShadowInputs& inputs) const;
 
     UniformSet search_request_{"needs_recompute"};
 };

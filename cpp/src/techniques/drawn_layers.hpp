@@ -27,12 +27,18 @@ struct LayerSpan {
     Value<float>* depth = nullptr;  // none: 1
 };
 
+// How a look-up goes from one plane to the next: by a line, by a monotone cubic through four
+// planes, or about the mean depth of what the layer holds, many casters or few. GLSL:
+// lib/layers.glsl.
+enum class Interpolation { linear, cubic, mean_depth, mean_depth_of_few };
+
 // Planes of [0, 1], from the start of a texel's layers to their end, in an array texture of
 // cumulative optical depth.
 struct DrawnLayers {
     Texture& map;
     Value<std::vector<float>>& planes;
     LayerSpan span;
+    Texture* moments = nullptr;     // sums of optical depth times position, in the same slots
     Value<float>* kappa = nullptr;  // the optical depth of a full channel, where one has 8 bits
     bool is_packed = false;
     bool ignores_beyond = false;  // what lies behind the last layer casts nothing

@@ -14,20 +14,27 @@ constexpr std::size_t most_sampled = 4096;
 
 // One image a layer.
 struct ReadBack {
-    std::vector<float> targets;
+    std::vector<float> targets, moment_targets;
     const DrawnLayers& drawn;
 
     ReadBack(PassContext& context, const DrawnLayers& layers)
-        : targets{context.read<float>(layers.map)}, drawn{layers} {}
+        : targets{context.read<float>(layers.map)}, drawn{layers} {
+        if (layers.moments) moment_targets = context.read<float>(*layers.moments);
+    }
 
     int layers() const { return int(drawn.planes.get().size()) - 1; }
     std::size_t texel_count() const {
         return std::size_t(drawn.map.desc().width) * drawn.map.desc().height;
     }
     float plane(std::size_t texel, int k) const {
+        return drawn.unit() * targets[index_of(texel, k)];
+    }
+    float moment(std::size_t texel, int k) const { return moment_targets[index_of(texel, k)]; }
+
+   private:
+    std::size_t index_of(std::size_t texel, int k) const {
         const Slot slot = drawn.slot_of(k);
-        return drawn.unit() *
-               targets[(slot.target * texel_count() + texel) * planes_per_target + slot.channel];
+        return (slot.target * texel_count() + texel) * planes_per_target + slot.channel;
     }
 };
 
@@ -62,9 +69,12 @@ int block_stride(int map_width_px) {
 
 SampledTexels sampled_texels(PassContext& context, const DrawnLayers& drawn) {
     const ReadBack back{context, drawn};
-    SampledTexels sampled{sampled_indices(back), drawn.planes.get(), {}};
+    SampledTexels sampled{sampled_indices(back), drawn.planes.get(), {}, {}};
     for (const std::size_t texel : sampled.indices)
-        for (int k = 1; k <= back.layers(); ++k) sampled.values.push_back(back.plane(texel, k));
+        for (int k = 1; k <= back.layers(); ++k) {
+            sampled.values.push_back(back.plane(texel, k));
+            if (drawn.moments) sampled.moments.push_back(back.moment(texel, k));
+        }
     return sampled;
 }
 

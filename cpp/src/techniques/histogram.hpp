@@ -22,9 +22,11 @@ int block_stride(int map_width_px);
 // limited size, spread over the whole.
 struct SampledTexels {
     std::vector<std::size_t> indices;  // in the map
-    std::vector<float> planes, values;
+    std::vector<float> planes, values, moments;
 
-    OpticalDepthProfiles profiles() const { return {planes, values}; }
+    OpticalDepthProfiles profiles() const {
+        return {.planes = planes, .values = values, .moments = moments};
+    }
 };
 SampledTexels sampled_texels(PassContext& context, const DrawnLayers& drawn);
 

@@ -18,6 +18,7 @@ constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
 Defines layer_defines(const DrawnLayers& drawn) {
     Defines defines;
     if (drawn.is_packed) defines.emplace_back("PACKED", "1");
+    if (drawn.moments) defines.emplace_back("MEAN_DEPTHS", "1");
     if (drawn.ignores_beyond) defines.emplace_back("BEYOND_ignore", "1");
     if (drawn.kappa) defines.emplace_back("ACCUMULATOR_unorm8", "1");
     // Few sizes, so that few programs are made.
@@ -74,8 +75,11 @@ DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
                       planes,
                       span,
                       nullptr,
+                      nullptr,
                       options.packed,
                       options.ignores_beyond};
+    if (options.mean_depths)
+        drawn.moments = &graph.texture("moments", inputs.map(Format::rgba32f, targets));
     if (format == Format::rgba8) {
         drawn.kappa = &graph.value("kappa", 0.f);
         drawn.kappa->set(float(options.kappa));
@@ -103,18 +107,19 @@ void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const Dr
     drawn.add_to(reads);
     reads = inputs.caster_reads(true, std::move(reads));
     const int targets = drawn.map.desc().layers;
-    for (int first = 0; first < targets; first += targets_per_pass) {
-        const int count = std::min(targets_per_pass, targets - first);
+    const int most = drawn.moments ? targets_per_pass / 2 : targets_per_pass;
+    for (int first = 0; first < targets; first += most) {
+        const int count = std::min(most, targets - first);
         std::vector<Target> writes;
-        for (int target = first; target < first + count; ++target)
-            writes.emplace_back(&drawn.map, target);
+        for (Texture* map : {&drawn.map, drawn.moments})
+            for (int target = first; map && target < first + count; ++target)
+                writes.emplace_back(map, target);
         Defines defines = layer_defines(drawn);
         defines.insert(defines.end(), {{"PASS_opacity", "1"},
                                        {"TARGETS", std::to_string(count)},
                                        {"FIRST_TARGET", std::to_string(first)},
                                        {"BLOCK_STRIDE", std::to_string(block_stride)}});
-        const std::string part =
-            first == 0 ? "" : "_" + std::to_string(first / targets_per_pass + 1);
+        const std::string part = first == 0 ? "" : "_" + std::to_string(first / most + 1);
         graph.add({.name = drawn.map.shader_name() + part,
                    .shader = inputs.caster_shader(shader_path(), true, std::move(defines)),
                    .draws = &inputs.translucent,
@@ -127,11 +132,11 @@ void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const Dr
 }
 
 Sweep Layered::layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& all,
-                            bool is_cubic) const {
+                            Interpolation interpolation) const {
     DrawnLayers drawn{graph.texture("slices", inputs.map(Format::rgba32f)), all.planes, all.span,
-                      all.kappa};
+                      nullptr, all.kappa};
     drawn.is_swept = true;
-    LookUp look_up = layers_look_up(inputs, all, is_cubic);
+    LookUp look_up = layers_look_up(inputs, all, interpolation);
     std::erase(look_up.reads, &all.map);
     Shader shader = inputs.caster_shader("slice.frag.glsl", true, std::move(look_up.defines));
     shader.defines.emplace_back("SWEEP", "1");
@@ -140,17 +145,20 @@ Sweep Layered::layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const
             .reads = inputs.caster_reads(true, std::move(look_up.reads)),
             .map = &drawn.map,
             .planes = &drawn.planes,
-            .planes_ahead = is_cubic ? 2 : 1,
+            .planes_ahead = interpolation == Interpolation::cubic ? 2 : 1,
             .draw_on_cpu = plane_on_cpu(inputs, drawn),
-            .on_cpu = look_up_on_cpu(drawn, is_cubic)};
+            .on_cpu = look_up_on_cpu(drawn, interpolation)};
 }
 
-LookUp Layered::layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn, bool is_cubic,
-                               Reads more) const {
+LookUp Layered::layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn,
+                               Interpolation interpolation, Reads more) const {
     more.insert(more.end(), {&drawn.map, &layers});
+    if (drawn.moments) more.push_back(drawn.moments);
     drawn.add_to(more);
-    LookUp result = look_up(inputs, std::move(more), look_up_on_cpu(drawn, is_cubic));
-    if (is_cubic) result.defines.emplace_back("CUBIC", "1");
+    LookUp result = look_up(inputs, std::move(more), look_up_on_cpu(drawn, interpolation));
+    if (interpolation == Interpolation::cubic) result.defines.emplace_back("CUBIC", "1");
+    if (interpolation == Interpolation::mean_depth_of_few)
+        result.defines.emplace_back("FEW_CASTERS", "1");
     for (const auto& define : layer_defines(drawn)) result.defines.push_back(define);
     result.own_correction = own_correction.get() && !inputs.paper_deposit;
     return result;

@@ -32,7 +32,7 @@ class Layered : public Technique {
     // What may be told of the layers beyond where they lie.
     struct Options {
         double kappa = full_8_bits;
-        bool packed = false, ignores_beyond = false;
+        bool packed = false, ignores_beyond = false, mean_depths = false;
     };
     static const double full_8_bits;  // exp(-kappa) = 2^-8
 
@@ -46,12 +46,12 @@ class Layered : public Technique {
     // The same of fine layers, in a part of the texels; at the planes of this split ratio.
     DrawnLayers add_histogram(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
                               double split_ratio) const;
-    // `is_cubic`: interpolates between planes by a monotone cubic, not a line.
     LookUp layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn,
-                          bool is_cubic = false, Reads more = {}) const;
+                          Interpolation interpolation = Interpolation::linear,
+                          Reads more = {}) const;
     // The same look-up in four planes at a time, of layers that begin and end alike in all texels.
     Sweep layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
-                       bool is_cubic) const;
+                       Interpolation interpolation) const;
     int accumulator_bits() const;
 
    private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/opacity.hpp"
 #include "map/depth_bits.hpp"
 #include "map/fragments.hpp"
 #include "map/monotone_cubic.hpp"
@@ -61,12 +62,17 @@ class LayerMap {
           texel_count_{std::size_t(drawn.map.desc().width) * drawn.map.desc().height},
           format_{drawn.map.desc().format},
           unit_{drawn.unit()},
-          drawn_{drawn} {}
-
-    float& at(std::size_t texel, const Slot& slot) const {
-        return values_[(slot.target * texel_count_ + texel) * planes_per_target + slot.channel];
+          drawn_{drawn} {
+        if (drawn.moments) moments_ = context.memory<float>(*drawn.moments);
     }
+
+    float& at(std::size_t texel, const Slot& slot) const { return values_[index_of(texel, slot)]; }
     float& plane(std::size_t texel, int k) const { return at(texel, drawn_.slot_of(k)); }
+    bool has_moments() const { return !moments_.empty(); }
+    // Of optical depth times position in front of plane k > 0.
+    float& moment(std::size_t texel, int k) const {
+        return moments_[index_of(texel, drawn_.slot_of(k))];
+    }
     // Nothing is in front of plane 0.
     float optical_depth(std::size_t texel, int k) const {
         if (k == 0) return 0.f;
@@ -87,7 +93,11 @@ class LayerMap {
     }
 
    private:
-    std::span<float> values_;
+    std::size_t index_of(std::size_t texel, const Slot& slot) const {
+        return (slot.target * texel_count_ + texel) * planes_per_target + slot.channel;
+    }
+
+    std::span<float> values_, moments_;
     std::size_t texel_count_;
     Format format_;
     float unit_;
@@ -107,17 +117,24 @@ class LayerSums {
         const float begin = planes_.position(texel, fragment.depth);
         const float end = planes_.position(texel, fragment.depth_end);
         int k = std::max(layer_of(planes_.planes, begin) + 1, first_plane_);
-        for (float so_far = 0.f; k <= last_plane_ && so_far < 1.f; ++k) {
+        for (float so_far = 0.f, moment = 0.f; k <= last_plane_ && so_far < 1.f; ++k) {
             const float part = end > begin ? counted_at(planes_.planes, k, begin, end) : 1.f;
             map_.plane(texel, k) += map_.added(optical_depth, part, so_far);
             so_far = part;
+            if (!map_.has_moments()) continue;
+            const float here = part * mean_in_front(planes_.planes, k, begin, end);
+            map_.moment(texel, k) += optical_depth * (here - moment);
+            moment = here;
         }
     }
     void accumulate(std::size_t texel) {
-        double sum = 0.0;
+        double sum = 0.0, moments = 0.0;
         for (int k = first_plane_; k <= last_plane_; ++k) {
             sum += double(map_.plane(texel, k));
             map_.plane(texel, k) = map_.kept(float(sum));
+            if (!map_.has_moments()) continue;
+            moments += double(map_.moment(texel, k));
+            map_.moment(texel, k) = float(moments);
         }
     }
 
@@ -129,26 +146,44 @@ class LayerSums {
 
 class LayeredTexels : public TexelMap {
    public:
-    LayeredTexels(PassContext& context, const DrawnLayers& drawn, bool is_cubic)
-        : drawn_{drawn}, planes_{context, drawn_}, map_{context, drawn_}, is_cubic_{is_cubic} {}
+    LayeredTexels(PassContext& context, const DrawnLayers& drawn, Interpolation interpolation)
+        : drawn_{drawn},
+          planes_{context, drawn_},
+          map_{context, drawn_},
+          interpolation_{interpolation} {}
 
     float optical_depth(std::size_t texel, float depth, const OwnDeposit& own) const override {
         if (!(depth > planes_.start(texel))) return 0.f;
-        const float own_depth =
-            own.optical_depth * planes_.counted_part(texel, own.depth, own.depth_end);
-        if (depth >= planes_.end(texel))
-            return map_.optical_depth(texel, planes_.last_plane()) - own_depth;
+        const float counted = planes_.counted_part(texel, own.depth, own.depth_end);
         const OwnDeposit placed{planes_.position(texel, own.depth),
-                                planes_.position(texel, own.depth_end), own_depth};
+                                planes_.position(texel, own.depth_end),
+                                counted * own.optical_depth};
         const float x = planes_.position(texel, depth);
-        return is_cubic_ ? on_cubic(texel, x, placed) : on_line(texel, x, placed);
+        const int layer = layer_of(planes_.planes, x);
+        const float in_front =
+            std::min(counted * own_in_front(own, depth), map_.optical_depth(texel, layer + 1));
+        if (depth >= planes_.end(texel))
+            return map_.optical_depth(texel, planes_.last_plane()) - placed.optical_depth +
+                   in_front;
+        return among_others(texel, layer, x, placed) + in_front;
     }
 
    private:
+    // Without the receiver's own caster.
+    float among_others(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
+        switch (interpolation_) {
+            case Interpolation::cubic:
+                return on_cubic(texel, layer, x, own);
+            case Interpolation::mean_depth:
+            case Interpolation::mean_depth_of_few:
+                return about_mean(texel, layer, x, own);
+            default:
+                return on_line(texel, layer, x, own);
+        }
+    }
     // Optical depth grows evenly from one plane to the next.
-    float on_line(std::size_t texel, float x, const OwnDeposit& own) const {
+    float on_line(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
         const std::span<const float> planes = planes_.planes;
-        const int layer = layer_of(planes, x);
         const float low = planes[layer], high = planes[layer + 1];
         const float along = (x - low) / (high - low);
         const float part = counted(planes, own.depth, own.depth_end, layer, along);
@@ -156,24 +191,48 @@ class LayeredTexels : public TexelMap {
         const float behind = map_.optical_depth(texel, layer + 1);
         return before * (1.f - along) + behind * along - own.optical_depth * part;
     }
+    // Optical depth grows evenly about the mean depth of what the layer holds, as far as its nearer
+    // plane. Of few casters: the mean of T if it is that of two, each anywhere there.
+    float about_mean(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
+        const float low = planes_.planes[layer], high = planes_.planes[layer + 1];
+        const float before = without(own, texel, layer);
+        const float held = without(own, texel, layer + 1) - before;
+        if (!(held > 0.f)) return before;
+        const float moment =
+            moment_without(own, texel, layer + 1) - moment_without(own, texel, layer);
+        const float mean = std::clamp(moment / held, low, high);
+        const float reach = std::min(mean - low, high - mean);
+        const float met = part_in_front(mean - reach, mean + reach, x);
+        if (interpolation_ == Interpolation::mean_depth) return before + met * held;
+        return before + 2.f * optical_depth_of(met * opacity_of(0.5f * held));
+    }
     // The receiver's own part is taken out of all four planes first.
-    float on_cubic(std::size_t texel, float x, const OwnDeposit& own) const {
+    float on_cubic(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
         const std::span<const float> planes = planes_.planes;
-        const int layer = layer_of(planes, x);
         std::array<float, 4> places, values;
         for (int i = 0; i < 4; ++i) {
             const int k = std::clamp(layer + i - 1, 0, planes_.last_plane());
             places[i] = planes[k] + float(layer + i - 1 - k);  // outside, all stays as it is
-            values[i] = map_.optical_depth(texel, k) -
-                        own.optical_depth * counted_at(planes, k, own.depth, own.depth_end);
+            values[i] = without(own, texel, k);
         }
         return monotone_cubic(places, values, x);
+    }
+
+    float without(const OwnDeposit& own, std::size_t texel, int k) const {
+        return map_.optical_depth(texel, k) -
+               own.optical_depth * counted_at(planes_.planes, k, own.depth, own.depth_end);
+    }
+    float moment_without(const OwnDeposit& own, std::size_t texel, int k) const {
+        if (k == 0) return 0.f;
+        return map_.moment(texel, k) -
+               own.optical_depth * counted_at(planes_.planes, k, own.depth, own.depth_end) *
+                   mean_in_front(planes_.planes, k, own.depth, own.depth_end);
     }
 
     const DrawnLayers drawn_;
     LayerPlanes planes_;
     LayerMap map_;
-    bool is_cubic_;
+    Interpolation interpolation_;
 };
 
 }  // namespace
@@ -236,9 +295,9 @@ std::function<void(PassContext&, int plane)> plane_on_cpu(const ShadowInputs& in
 }
 
 std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& drawn,
-                                                                      bool is_cubic) {
-    return [drawn, is_cubic](PassContext& context) {
-        return std::make_unique<LayeredTexels>(context, drawn, is_cubic);
+                                                                      Interpolation interpolation) {
+    return [drawn, interpolation](PassContext& context) {
+        return std::make_unique<LayeredTexels>(context, drawn, interpolation);
     };
 }
 

@@ -26,8 +26,8 @@ OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int fi
 std::function<void(PassContext&, int plane)> plane_on_cpu(const ShadowInputs& inputs,
                                                           const DrawnLayers& drawn);
 
-// `is_cubic`: between planes a monotone cubic, not a line.
+// The look-up in them, for LookUp::on_cpu.
 std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& drawn,
-                                                                      bool is_cubic);
+                                                                      Interpolation interpolation);
 
 }  // namespace opacity::techniques

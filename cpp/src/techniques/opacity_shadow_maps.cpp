@@ -32,11 +32,12 @@ LookUp OpacityShadowMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
         planes.set(gamma_slices(layers.get(), slicing.is("gamma") ? gamma.get() : 1.0));
     const double full = kappa.is_auto() ? full_8_bits : kappa.get();
     const DrawnLayers drawn = add_layers(graph, inputs, {}, planes, {.kappa = full});
-    const bool is_cubic = interpolation.is("cubic");
-    LookUp look_up = layers_look_up(inputs, drawn, is_cubic);
+    const Interpolation between =
+        interpolation.is("cubic") ? Interpolation::cubic : Interpolation::linear;
+    LookUp look_up = layers_look_up(inputs, drawn, between);
     // Sums of optical depth over a filter would have to be kept for each receiver.
     if (buffers.is("two") && !filter_domain.is("density") && !inputs.translucent.shapes().empty())
-        look_up.sweep = layers_sweep(graph, inputs, drawn, is_cubic);
+        look_up.sweep = layers_sweep(graph, inputs, drawn, between);
     return look_up;
 }
 

@@ -105,8 +105,8 @@ DrawnLayers add_smooth_layers(FrameGraph& graph, const ShadowInputs& inputs,
                        smooth_layers(space, texels.get(), context.memory<float>(drawn.map),
                                      context.memory<float>(smooth));
                    }});
-    return {smooth,          drawn.planes,         drawn.span, drawn.kappa,
-            drawn.is_packed, drawn.ignores_beyond, false};
+    return {smooth,      drawn.planes,    drawn.span,           nullptr,
+            drawn.kappa, drawn.is_packed, drawn.ignores_beyond, false};
 }
 
 }  // namespace opacity::techniques

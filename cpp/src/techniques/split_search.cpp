@@ -26,7 +26,9 @@ struct Sample {
             biases.push_back(range > 0.f ? float(std::min(1.0, bias / double(range))) : 1.f);
         }
     }
-    OpticalDepthProfiles profiles() const { return {texels.planes, texels.values, biases}; }
+    OpticalDepthProfiles profiles() const {
+        return {texels.planes, texels.values, biases, texels.moments};
+    }
 };
 
 // Of receivers on the casters themselves, as a part of the light's depth range.
@@ -60,7 +62,7 @@ void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
         {.name = "split_search",
          .only_with = &inputs.translucent,
          .reads = {&histogram.map, &histogram.planes, histogram.span.start, histogram.span.end,
-                   &layers, &similarity, &bias, &own_correction, &request},
+                   &layers, &similarity, &bias, &own_correction, &interpolation, &request},
          .values = {&planes},
          .execute = [search = *this, measure = measure(inputs), histogram, &planes,
                      bias_ls = relative_bias(inputs, bias)](PassContext& context) {
@@ -85,6 +87,7 @@ SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInpu
                                     similarity.revision(),
                                     bias.revision(),
                                     own_correction.revision(),
+                                    interpolation.revision(),
                                     Revision{inputs.paper_deposit},
                                     request.revision()};
     // The opaque casters of this frame are drawn later: that they moved shows in the next one.
@@ -116,7 +119,9 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
                 &similarity,
                 &bias,
                 &own_correction,
+                &interpolation,
                 &request};
+    if (drawn.moments) reads.push_back(drawn.moments);
     if (has_fine) reads.insert(reads.end(), {&fine.map, &fine.planes});
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,

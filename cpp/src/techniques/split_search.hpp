@@ -18,10 +18,15 @@ struct SplitSearch {
     const Choice& similarity;  // in the order of Similarity
     const AutoParam<double>& bias;
     const Param<bool>& own_correction;
+    const Choice& interpolation;
     const Source& request;
+    Interpolation between;  // what `interpolation` means for these casters
 
     SplitMeasure measure(const ShadowInputs& inputs) const {
-        return {Similarity(similarity.index()), own_correction.get() && !inputs.paper_deposit};
+        return {Similarity(similarity.index()),
+                {own_correction.get() && !inputs.paper_deposit,
+                 between == Interpolation::mean_depth_of_few},
+                between != Interpolation::linear};
     }
 
     // One frame: sets `planes` to those of the best ratio.

@@ -14,6 +14,9 @@ struct OpticalDepthProfiles {
     std::span<const float> values;
     // How far in front of a receiver casters begin to count, for each texel; none: 0.
     std::span<const float> biases = {};
+    // Of optical depth times position, as `values` are of optical depth; none: layers do not tell
+    // where in them it lies.
+    std::span<const float> moments = {};
 
     std::size_t layers() const { return planes.size() - 1; }
     std::size_t texel_count() const { return values.size() / layers(); }
@@ -21,6 +24,9 @@ struct OpticalDepthProfiles {
     // In front of planes 1, 2, ..
     std::span<const float> texel(std::size_t t) const {
         return values.subspan(t * layers(), layers());
+    }
+    std::span<const float> texel_moments(std::size_t t) const {
+        return moments.empty() ? moments : moments.subspan(t * layers(), layers());
     }
 };
 
@@ -52,10 +58,14 @@ class FineProfiles {
     double fragment_of(std::span<const float> texel, double cell) const;
     // In front of x in (0, 1) of a texel.
     double in_front(std::span<const float> texel, double x) const;
-    // The same texels at other planes.
+    // The same texels at other planes: their values, and moments.
     std::vector<float> rebinned(std::span<const float> planes) const;
+    std::vector<float> rebinned_moments(std::span<const float> planes) const;
 
    private:
+    // What a cell holds beside the first and the last caster, which lie on planes.
+    double inside(std::span<const float> texel, std::size_t cell) const;
+
     OpticalDepthProfiles profiles_;
     // Mean of the cells that stand between empty ones. 0 where casters fill their cells, as smoke
     // does.

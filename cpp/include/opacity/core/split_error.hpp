@@ -5,12 +5,19 @@
 
 namespace opacity {
 
+// How T is looked up in layers.
+struct LayerLookUp {
+    bool own_correction = false;  // leaves the receiver's own ramp out
+    bool few_casters = false;     // of layers with moments: two share a layer's optical depth
+};
+
 // How well the layers rebuild the fine profiles of the same texels for receivers that lie where
 // casters are: the RMSE of T that the look-up finds at the middle of each fine cell, and on the
-// last caster, against T in front of it; weighted by optical depth. No receiver counts itself, or
-// what is nearer than its bias; between two planes the look-up interpolates, on a ramp that does
-// count a part of the receiver. With `own_correction` it takes that part away. Sums in float64.
+// last caster, against T in front of it; each fragment counts once, and a medium by its optical
+// depth. No receiver counts itself, or what is nearer than its bias; between two planes the look-up
+// interpolates, on a ramp that does count a part of the receiver, or about the mean position that
+// the moments tell. Sums in float64.
 double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
-                   bool own_correction = false);
+                   const LayerLookUp& look_up = {});
 
 }  // namespace opacity

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "opacity/core/optical_depth_profiles.hpp"
+#include "opacity/core/split_error.hpp"
 
 namespace opacity {
 
@@ -24,7 +25,8 @@ enum class Similarity {
 
 struct SplitMeasure {
     Similarity similarity = Similarity::error;
-    bool own_correction = false;  // of `error`: the look-up leaves the receiver's own ramp out
+    LayerLookUp look_up = {};  // of `error`
+    bool has_moments = false;  // of layers that are rebinned
 };
 
 // The score of a trial: the least is the best. `fine` counts for `error` alone.
