@@ -220,16 +220,13 @@ def test_without_casters_two_buffers_let_all_light_through() -> None:
 def test_time_is_linear_in_slices(needs_gl: None) -> None:
     """Figure 4."""
     scene, strands = hair()
-    seconds = {}
+    seconds: dict[int, list[float]] = {128: [], 512: []}
     with po.Renderer(scene, technique=OSM, map_size=128) as renderer:
-        for layers in (128, 512):
-            renderer.technique.layers = layers
-            renderer.transmittance(strands)
-            taken = []
-            for _ in range(3):
+        for _ in range(5):  # in turns: what else the machine does slows both
+            for layers, taken in seconds.items():
+                renderer.technique.layers = layers
                 renderer.invalidate()
                 start = time.perf_counter()
                 renderer.transmittance(strands)
                 taken.append(time.perf_counter() - start)
-            seconds[layers] = min(taken)
-    assert 2.0 < seconds[512] / seconds[128] < 6.0
+    assert 2.0 < min(seconds[512][1:]) / min(seconds[128][1:]) < 6.0

@@ -113,7 +113,14 @@ float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
     int layer = layer_of(x);
     float in_front = own_in_front(own, depth);
     if (in_front > 0.0) in_front = min(in_front, plane_optical_depth(texel, layer + 1));
-    if (depth >= layers.end) return plane_optical_depth(texel, u_layers) - own.optical_depth + in_front;
+    if (depth >= layers.end) {
+        float all = plane_optical_depth(texel, u_layers);
+#ifdef ENDS_AT_LAST_CASTER
+        return all;  // in front, the receiver's own too
+#else
+        return all - own.optical_depth + in_front;
+#endif
+    }
     vec3 own_part = vec3(position(layers, own.depth), position(layers, own.depth_end), own.optical_depth);
     return between_planes(texel, layer, x, own_part) + in_front;
 }

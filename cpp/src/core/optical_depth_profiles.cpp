@@ -57,20 +57,21 @@ PlaneCell cell_of(std::span<const float> planes, double x) {
 
 FineProfiles::FineProfiles(const OpticalDepthProfiles& profiles)
     : profiles_{profiles}, fragment_{fragment_optical_depth(profiles)} {
-    for (std::size_t t = 0; t < profiles.texel_count(); ++t)
-        most_.push_back(most_by_chance(occupied_part(profiles.texel(t))));
+    for (std::size_t t = 0; t < profiles.texel_count(); ++t) {
+        const std::span<const float> texel = profiles.texel(t);
+        most_.push_back(most_by_chance(occupied_part(texel)));
+        for (std::size_t k = 0; k < texel.size(); ++k) {
+            const double all = at_plane(texel, k + 1) - at_plane(texel, k);
+            const int on_planes = (k == 0) + (k + 1 == texel.size());
+            inside_.push_back(std::max(0.0, all - on_planes * fragment_of(texel, all)));
+        }
+    }
 }
 
 double FineProfiles::fragment_of(std::span<const float> texel, double cell) const {
     if (!(fragment_ > 0.0)) return 0.0;
-    const std::size_t index = std::size_t(texel.data() - profiles_.values.data()) / texel.size();
-    return cell / std::clamp(std::round(cell / fragment_), 1.0, double(most_[index]));
-}
-
-double FineProfiles::inside(std::span<const float> texel, std::size_t cell) const {
-    const double all = at_plane(texel, cell + 1) - at_plane(texel, cell);
-    const int on_planes = (cell == 0) + (cell + 1 == texel.size());
-    return std::max(0.0, all - on_planes * fragment_of(texel, all));
+    const double most = double(most_[index_of(texel)]);
+    return cell / std::clamp(std::round(cell / fragment_), 1.0, most);
 }
 
 double FineProfiles::in_front(std::span<const float> texel, double x) const {

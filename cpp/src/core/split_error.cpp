@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "core/parallel.hpp"
 
 namespace opacity {
 namespace {
@@ -19,16 +22,13 @@ struct Own {
     }
 };
 
-// The look-up of receivers that lie in one texel.
-struct Receiver {
+// Looks T up in the layers of one texel.
+struct LookUp {
     const OpticalDepthProfiles& layers;
+    const LayerLookUp& rule;
     std::span<const float> layered, moments;
-    const FineProfiles& fine;
-    std::span<const float> exact;
-    double bias;
-    const LayerLookUp& look_up;
 
-    // What the look-up finds there without the receiver's own deposit.
+    // Optical depth there without the receiver's own.
     double others(const PlaneCell& cell, const Own& own) const {
         const double low = layers.planes[cell.index], high = layers.planes[cell.index + 1];
         const double before = at_plane(layered, cell.index) - own.in_front(low);
@@ -42,67 +42,83 @@ struct Receiver {
         const double reach = std::max(std::min(mean - low, high - mean), 1e-9);
         const double x = std::lerp(low, high, cell.along);
         const double met = std::clamp((x - mean + reach) / (2.0 * reach), 0.0, 1.0);
-        if (!look_up.few_casters) return before + met * held;
+        if (!rule.few_casters) return before + met * held;
         return before - 2.0 * std::log1p(met * std::expm1(-0.5 * held));
     }
-    // T of the look-up minus that of the casters, for a fragment of optical depth `own` at the
-    // middle of fine cell k.
-    double error_in(std::size_t k, double own) const {
-        const std::span<const float> planes = fine.profiles().planes;
-        const double begin = planes[k], end = planes[k + 1], x = 0.5 * (begin + end);
-        if (!(x - bias > 0.0)) return 0.0;  // in front of all casters
-        const PlaneCell cell = cell_of(layers.planes, x - bias);
-        // The profiles know that it lies in its cell, but not where.
-        const Own spread{own, begin, end};
-        const double in_front = fine.in_front(exact, x - bias) - spread.in_front(x - bias);
-        return error(others(cell, spread), in_front, own * ramp(x, cell));
-    }
-    double error_on_last(double own) const {
-        if (!(1.0 - bias > 0.0)) return 0.0;
-        const PlaneCell cell = cell_of(layers.planes, 1.0 - bias);
-        const double in_front =
-            bias > 0.0 ? fine.in_front(exact, 1.0 - bias) : double(exact.back()) - own;
-        return error(others(cell, {own, 1.0, 1.0}), in_front, own * ramp(1.0, cell));
-    }
-    // The part of a caster at x that its layer counts at this place.
-    double ramp(double x, const PlaneCell& at) const {
-        return cell_of(layers.planes, x).index == at.index ? at.along : 0.0;
-    }
-    double error(double layered_others, double in_front, double own) const {
-        return std::exp(-std::max(0.0, layered_others + (look_up.own_correction ? 0.0 : own))) -
-               std::exp(-std::max(0.0, in_front));
+    double transmittance(double x, const Own& own) const {
+        const PlaneCell cell = cell_of(layers.planes, x);
+        double found = others(cell, own);
+        // The part of the receiver at its own place that its layer counts here.
+        const double place = 0.5 * (own.begin + own.end);
+        if (!rule.own_correction && cell_of(layers.planes, place).index == cell.index)
+            found += own.optical_depth * cell.along;
+        return std::exp(-std::max(0.0, found));
     }
 };
 
 }  // namespace
 
+// Each fragment counts once, however opaque; a medium by its optical depth.
+void FineReceivers::add(double optical_depth, const Receiver& receiver, double in_front) {
+    const double own = receiver.own;
+    const double weight = own > 0.0 ? optical_depth / own : optical_depth;
+    weights_ += weight;
+    if (!(receiver.x > 0.0)) return;  // in front of all casters: T = 1 without an error
+    receivers_.push_back(receiver);
+    receivers_.back().weight = weight;
+    receivers_.back().transmittance = std::exp(-std::max(0.0, in_front));
+}
+
+// The profiles know that a fragment lies in its cell, but not where; the last one lies at 1.
+void FineReceivers::add_texel(const FineProfiles& fine, std::size_t t) {
+    const std::span<const float> exact = fine.profiles().texel(t), cells = fine.profiles().planes;
+    const double bias = fine.profiles().bias(t);
+    for (std::size_t k = 0; k + 1 < cells.size(); ++k) {
+        const double cell = at_plane(exact, k + 1) - at_plane(exact, k);
+        if (!(cell > 0.0)) continue;
+        const bool is_last = k + 2 == cells.size();
+        const double own = fine.fragment_of(exact, cell);
+        // T = 1 on the first one, whatever the layers.
+        const double others = cell - (k == 0 ? own : 0.0) - (is_last ? own : 0.0);
+        if (others > 1e-6 * cell) {
+            const Receiver here{0.5 * (cells[k] + cells[k + 1]) - bias, cells[k], cells[k + 1],
+                                own};
+            const Own spread{own, here.begin, here.end};
+            add(others, here, fine.in_front(exact, here.x) - spread.in_front(here.x));
+        }
+        if (is_last)
+            add(own, {1.0 - bias, 1.0, 1.0, own},
+                bias > 0.0 ? fine.in_front(exact, 1.0 - bias) : double(exact.back()) - own);
+    }
+}
+
+FineReceivers::FineReceivers(const FineProfiles& fine) {
+    first_.push_back(0);
+    for (std::size_t t = 0; t < fine.profiles().texel_count(); ++t) {
+        if (is_covered(fine.profiles().texel(t))) add_texel(fine, t);
+        first_.push_back(receivers_.size());
+    }
+}
+
+double FineReceivers::error(const OpticalDepthProfiles& layers, const LayerLookUp& rule) const {
+    std::vector<double> squares(layers.texel_count(), 0.0);
+    parallel_for(squares.size(), [&](std::size_t t) {
+        const LookUp look_up{layers, rule, layers.texel(t), layers.texel_moments(t)};
+        for (std::size_t i = first_[t]; i < first_[t + 1]; ++i) {
+            const Receiver& receiver = receivers_[i];
+            const Own own{receiver.own, receiver.begin, receiver.end};
+            const double error = look_up.transmittance(receiver.x, own) - receiver.transmittance;
+            squares[t] += receiver.weight * error * error;
+        }
+    });
+    double sum = 0.0;
+    for (const double of_texel : squares) sum += of_texel;
+    return weights_ > 0.0 ? std::sqrt(sum / weights_) : 0.0;
+}
+
 double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
                    const LayerLookUp& look_up) {
-    const std::span<const float> cells = fine.profiles().planes;
-    double squares = 0.0, weights = 0.0;
-    for (std::size_t t = 0; t < layers.texel_count(); ++t) {
-        const std::span<const float> exact = fine.profiles().texel(t);
-        if (!is_covered(exact)) continue;
-        const Receiver receiver{layers, layers.texel(t), layers.texel_moments(t),
-                                fine,   exact,           fine.profiles().bias(t),
-                                look_up};
-        // Each fragment counts once, however opaque; a medium by its optical depth.
-        const auto add = [&](double optical_depth, double own, double error) {
-            const double weight = own > 0.0 ? optical_depth / own : optical_depth;
-            squares += weight * error * error;
-            weights += weight;
-        };
-        for (std::size_t k = 0; k + 1 < cells.size(); ++k) {
-            const double cell = at_plane(exact, k + 1) - at_plane(exact, k);
-            if (!(cell > 0.0)) continue;
-            const double own = fine.fragment_of(exact, cell);
-            // T = 1 on the first one, whatever the layers.
-            const double others = cell - (k == 0 ? own : 0.0) - (k + 2 == cells.size() ? own : 0.0);
-            if (others > 1e-6 * cell) add(others, own, receiver.error_in(k, own));
-            if (k + 2 == cells.size()) add(own, own, receiver.error_on_last(own));
-        }
-    }
-    return weights > 0.0 ? std::sqrt(squares / weights) : 0.0;
+    return FineReceivers{fine}.error(layers, look_up);
 }
 
 }  // namespace opacity

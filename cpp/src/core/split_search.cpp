@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "opacity/core/correlation.hpp"
 #include "opacity/core/split.hpp"
@@ -99,21 +100,28 @@ double split_score(const SplitMeasure& measure, const OpticalDepthProfiles& laye
     }
 }
 
-std::size_t best_trial(std::span<const double> scores) {
-    return std::size_t(std::min_element(scores.begin(), scores.end()) - scores.begin());
+std::size_t best_trial(std::span<const double> scores, Similarity similarity) {
+    constexpr double equal_errors = 1e-4;
+    const double least = *std::min_element(scores.begin(), scores.end());
+    const double enough = similarity == Similarity::error ? least + equal_errors : least;
+    const auto is_enough = [enough](double score) { return score <= enough; };
+    return std::size_t(std::ranges::find_if(scores, is_enough) - scores.begin());
 }
 
 std::size_t find_split_trial(const FineProfiles& fine, int layers, const SplitMeasure& measure) {
+    std::optional<FineReceivers> receivers;
+    if (measure.similarity == Similarity::error) receivers.emplace(fine);
     std::vector<double> scores;
     for (std::size_t trial = 0; trial < split_trials; ++trial) {
         const std::vector<float> planes = layer_planes(layers, trial_ratio(trial));
         const std::vector<float> values = fine.rebinned(planes);
         const std::vector<float> moments =
-            measure.has_moments ? fine.rebinned_moments(planes) : std::vector<float>{};
-        scores.push_back(
-            split_score(measure, {.planes = planes, .values = values, .moments = moments}, fine));
+            receivers && measure.has_moments ? fine.rebinned_moments(planes) : std::vector<float>{};
+        const OpticalDepthProfiles rebinned{.planes = planes, .values = values, .moments = moments};
+        scores.push_back(receivers ? receivers->error(rebinned, measure.look_up)
+                                   : split_score(measure, rebinned, fine));
     }
-    return best_trial(scores);
+    return best_trial(scores, measure.similarity);
 }
 
 }  // namespace opacity

@@ -19,6 +19,7 @@ Defines layer_defines(const DrawnLayers& drawn) {
     Defines defines;
     if (drawn.is_packed) defines.emplace_back("PACKED", "1");
     if (drawn.moments) defines.emplace_back("MEAN_DEPTHS", "1");
+    if (drawn.span.end) defines.emplace_back("ENDS_AT_LAST_CASTER", "1");
     if (drawn.ignores_beyond) defines.emplace_back("BEYOND_ignore", "1");
     if (drawn.kappa) defines.emplace_back("ACCUMULATOR_unorm8", "1");
     // Few sizes, so that few programs are made.

@@ -34,6 +34,7 @@ class LayerPlanes {
     }
     const std::span<const float> planes;
 
+    bool ends_at_last_caster() const { return !end_.empty(); }
     int last_plane() const { return int(planes.size()) - 1; }
     float start(std::size_t texel) const { return start_.empty() ? 0.f : start_[texel]; }
     float end(std::size_t texel) const {
@@ -162,9 +163,12 @@ class LayeredTexels : public TexelMap {
         const int layer = layer_of(planes_.planes, x);
         const float in_front =
             std::min(counted * own_in_front(own, depth), map_.optical_depth(texel, layer + 1));
-        if (depth >= planes_.end(texel))
-            return map_.optical_depth(texel, planes_.last_plane()) - placed.optical_depth +
-                   in_front;
+        if (depth >= planes_.end(texel)) {
+            const float all = map_.optical_depth(texel, planes_.last_plane());
+            // In front, the receiver's own too.
+            if (planes_.ends_at_last_caster()) return all;
+            return all - placed.optical_depth + in_front;
+        }
         return among_others(texel, layer, x, placed) + in_front;
     }
 

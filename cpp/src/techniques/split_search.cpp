@@ -44,12 +44,12 @@ std::string ratio_text(const char* before, std::size_t trial) {
 }
 
 // "trial 4 of 11: ratio 0.3", and what was found once the last has its score.
-std::string progress(std::span<const double> scores, bool is_trial) {
+std::string progress(std::span<const double> scores, Similarity similarity, bool is_trial) {
     const std::string trial = "trial " + std::to_string(scores.size()) + " of " +
                               std::to_string(split_trials) + ": " +
                               ratio_text("ratio", scores.size() - 1);
     if (scores.size() < split_trials) return trial;
-    const std::string found = ratio_text("split ratio", best_trial(scores));
+    const std::string found = ratio_text("split ratio", best_trial(scores, similarity));
     return is_trial ? trial + "; " + found : found;
 }
 
@@ -99,7 +99,9 @@ SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInpu
         trials.searched.touch();  // a new search, of whatever
     }
     const std::vector<double>& scores = trials.scores.get();
-    const std::size_t trial = scores.size() < split_trials ? scores.size() : best_trial(scores);
+    const std::size_t trial = scores.size() < split_trials
+                                  ? scores.size()
+                                  : best_trial(scores, Similarity(similarity.index()));
     planes.set(layer_planes(layers.get(), trial_ratio(trial)));
     return trials;
 }
@@ -140,7 +142,7 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
                            split_score(measure, layers.profiles(), FineProfiles{exact.profiles()}));
                        context.set(trials.scores, scores);
                    }
-                   context.note(progress(scores, is_trial));
+                   context.note(progress(scores, measure.similarity, is_trial));
                }});
     return trials.scores;
 }

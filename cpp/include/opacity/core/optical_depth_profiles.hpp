@@ -63,14 +63,20 @@ class FineProfiles {
     std::vector<float> rebinned_moments(std::span<const float> planes) const;
 
    private:
+    std::size_t index_of(std::span<const float> texel) const {
+        return std::size_t(texel.data() - profiles_.values.data()) / texel.size();
+    }
     // What a cell holds beside the first and the last caster, which lie on planes.
-    double inside(std::span<const float> texel, std::size_t cell) const;
+    double inside(std::span<const float> texel, std::size_t cell) const {
+        return inside_[index_of(texel) * texel.size() + cell];
+    }
 
     OpticalDepthProfiles profiles_;
     // Mean of the cells that stand between empty ones. 0 where casters fill their cells, as smoke
     // does.
     double fragment_;
     std::vector<std::size_t> most_;  // of each texel
+    std::vector<double> inside_;     // of each cell
 };
 
 }  // namespace opacity

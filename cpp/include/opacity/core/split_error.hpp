@@ -1,6 +1,9 @@
 // What K layers cost: the error of T that a look-up in them makes, estimated from fine profiles.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "opacity/core/optical_depth_profiles.hpp"
 
 namespace opacity {
@@ -19,5 +22,27 @@ struct LayerLookUp {
 // the moments tell. Sums in float64.
 double split_error(const OpticalDepthProfiles& layers, const FineProfiles& fine,
                    const LayerLookUp& look_up = {});
+
+// The receivers of that, for many layers of the same texels.
+class FineReceivers {
+   public:
+    explicit FineReceivers(const FineProfiles& fine);
+
+    double error(const OpticalDepthProfiles& layers, const LayerLookUp& look_up) const;
+
+   private:
+    struct Receiver {
+        double x;           // where T is looked up
+        double begin, end;  // between which its own deposit lies
+        double own;         // of optical depth
+        double weight = 0.0, transmittance = 1.0;
+    };
+    void add_texel(const FineProfiles& fine, std::size_t t);
+    void add(double optical_depth, const Receiver& receiver, double in_front);
+
+    std::vector<Receiver> receivers_;
+    std::vector<std::size_t> first_;  // of each texel, and the end
+    double weights_ = 0.0;            // of all, also of those that look-ups cannot miss
+};
 
 }  // namespace opacity

@@ -38,8 +38,9 @@ constexpr int split_trials = 11;
 constexpr double trial_ratio(std::size_t trial) {
     return double(trial) / (split_trials - 1);
 }
-// The trial with the least score; the first of equals.
-std::size_t best_trial(std::span<const double> scores);
+// The trial with the least score; the first of equals. Errors of T that no one sees are equal, so
+// that rounding, which differs between devices, seldom decides.
+std::size_t best_trial(std::span<const double> scores, Similarity similarity);
 // The best of all trials, with layers rebinned from the fine profiles.
 std::size_t find_split_trial(const FineProfiles& fine, int layers,
                              const SplitMeasure& measure = {});
