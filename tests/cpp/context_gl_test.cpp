@@ -176,7 +176,8 @@ TEST_CASE("OPACITY_EGL_DEVICE chooses a device, or fails") {
     }
     const Environment device{"OPACITY_EGL_DEVICE", "software"};
     try {
-        CHECK(gl::Context::headless()->is_software());
+        const auto software = gl::Context::headless();
+        CHECK(software->is_software());
     } catch (const opacity::ContextError& error) {
         MESSAGE("no software device here: ", std::string{error.what()});
     }

@@ -17,9 +17,11 @@ Buffer::Buffer(std::shared_ptr<Context> context, std::size_t size_bytes, const v
     const std::size_t storage_bytes = std::max<std::size_t>(size_bytes, 16);
     const GladGLContext& gl = context->gl();
     const bool fits = data && size_bytes == storage_bytes;
+    const std::string doing = "allocating a buffer of " + size_text(size_bytes);
+    check_fits(*context, size_bytes, doing);
     gl.NamedBufferStorage(name(), GLsizeiptr(storage_bytes), fits ? data : nullptr,
                           GL_DYNAMIC_STORAGE_BIT);
-    check_errors(*context, "allocating a buffer of " + size_text(size_bytes));
+    check_errors(*context, doing);
     if (data && !fits) write({static_cast<const std::byte*>(data), size_bytes});
 }
 

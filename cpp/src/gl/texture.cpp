@@ -80,6 +80,9 @@ Texture::Texture(std::shared_ptr<Context> context, GLenum target, GLenum interna
     const Context::Use use{*context};
     const TexelFormat& format = texel_format(internal_format);
     check_limits(*context, target, width, height, layers);
+    const std::string doing = "allocating a texture of " + size_in_texels(width, height, layers) +
+                              " " + format.name + " texels (" + size_text(size_bytes()) + ")";
+    check_fits(*context, size_bytes(), doing);
     object_ = TextureObject{context, target};
     const GladGLContext& gl = context->gl();
     if (target == GL_TEXTURE_2D) {
@@ -87,8 +90,7 @@ Texture::Texture(std::shared_ptr<Context> context, GLenum target, GLenum interna
     } else {
         gl.TextureStorage3D(name(), 1, internal_format, width, height, layers);
     }
-    check_errors(*context, "allocating a texture of " + size_in_texels(width, height, layers) +
-                               " " + format.name + " texels (" + size_text(size_bytes()) + ")");
+    check_errors(*context, doing);
     set_filter(GL_NEAREST);
     set_wrap(GL_CLAMP_TO_EDGE);
 }
