@@ -80,8 +80,8 @@ def camera(casters: list[po.Shape], picture: Picture, up: int) -> po.Camera:
     return po.Camera.look_at((x, y, z), fitted.target, fitted.up, fitted.fov_deg)
 
 
-def render(name: str) -> None:
-    picture = PICTURES[name]
+def staged(picture: Picture) -> tuple[po.Scene, po.Camera]:
+    """Its model on a ground, lit."""
     model = real_models.model(picture.model)
     shapes = model.make()
     casters = [shape for shape in shapes if shape.casts]
@@ -92,9 +92,12 @@ def render(name: str) -> None:
         shapes[-1].transform = np.diag((20.0, 20.0, 1.0, 1.0))  # to the horizon
     direction = picture.light or model.light
     scene.add(po.DirectionalLight(direction, intensity=picture.intensity))
+    return scene, camera(casters, picture, model.up)
+
+
+def render(name: str) -> None:
     technique = po.technique("bounding_opacity_maps", layers=16)
-    view = camera(casters, picture, model.up)
-    with po.Renderer(scene, view, technique=technique, **OPTIONS) as r:
+    with po.Renderer(*staged(PICTURES[name]), technique=technique, **OPTIONS) as r:
         po.save_image(HERE / f"{name}.png", r.render())
         print(f"{name}\n{r.report}")
 
