@@ -12,10 +12,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 import scene_errors
 import small_scenes
 
-# Blend leaves miss the goal with 16 layers: see "Scenes" in docs/accuracy.md.
 KINDS = {
     "strands": "strands",
     "mask leaves": "leaves",
+    "blend leaves": "leaves",
     "particles": "particles",
     "voxels": "voxels",
 }
