@@ -33,34 +33,6 @@ Defines layer_defines(const DrawnLayers& drawn) {
 
 const double Layered::full_8_bits = 8.0 * std::numbers::ln2;
 
-Texture& Layered::add_first_depth(FrameGraph& graph, const ShadowInputs& inputs, int depth_bits) {
-    Texture& start = graph.texture("start", inputs.map(Format::depth32f));
-    Defines defines;
-    if (depth_bits < 32) defines.emplace_back("DEPTH_BITS", std::to_string(depth_bits));
-    graph.add({.name = "start_depth",
-               .shader = inputs.caster_shader("bounds.frag.glsl", false, std::move(defines)),
-               .draws = &inputs.translucent,
-               .view = &inputs.light,
-               .reads = inputs.caster_reads(false),
-               .writes = {&start},
-               .state = {.depth = Depth::less, .clear_depth = 1.f},
-               .on_cpu = first_depth_on_cpu(inputs, start, depth_bits)});
-    return start;
-}
-
-Texture& Layered::add_last_depth(FrameGraph& graph, const ShadowInputs& inputs) {
-    Texture& end = graph.texture("end", inputs.map(Format::depth32f));
-    graph.add({.name = "end_depth",  // reversed: the farthest caster wins
-               .shader = inputs.caster_shader("bounds.frag.glsl", false, {{"LAST_DEPTH", "1"}}),
-               .draws = &inputs.translucent,
-               .view = &inputs.light,
-               .reads = inputs.caster_reads(false),
-               .writes = {&end},
-               .state = {.depth = Depth::greater, .clear_depth = 0.f},
-               .on_cpu = last_depth_on_cpu(inputs, end)});
-    return end;
-}
-
 int Layered::accumulator_bits() const {
     return accumulator.is("unorm8") ? 8 : accumulator.is("float16") ? 16 : 32;
 }
@@ -161,7 +133,7 @@ LookUp Layered::layers_look_up(const ShadowInputs& inputs, const DrawnLayers& dr
     if (interpolation == Interpolation::mean_depth_of_few)
         result.defines.emplace_back("FEW_CASTERS", "1");
     for (const auto& define : layer_defines(drawn)) result.defines.push_back(define);
-    result.own_correction = own_correction.get() && !inputs.paper_deposit;
+    result.own_correction = corrects(inputs);
     return result;
 }
 

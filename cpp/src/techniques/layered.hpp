@@ -6,17 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "opacity/technique.hpp"
+#include "techniques/depth_bounds.hpp"
 #include "techniques/drawn_layers.hpp"
+#include "techniques/own_corrected.hpp"
 
 namespace opacity::techniques {
 
-class Layered : public Technique {
+class Layered : public OwnCorrected {
    public:
     Param<int> layers;
-    Param<bool> own_correction{*this, "own_correction", true,
-                               "Takes out of a look-up what it counts of the receiver's own "
-                               "deposit; not with deposit_rule paper."};
     Choice accumulator{*this,
                        "accumulator",
                        {"float32", "float16", "unorm8"},
@@ -25,7 +23,7 @@ class Layered : public Technique {
 
    protected:
     Layered(std::string name, int most_layers, std::string layers_doc)
-        : Technique{std::move(name)},
+        : OwnCorrected{std::move(name)},
           layers{*this, "layers", 16, {1, most_layers}, std::move(layers_doc)} {}
 
     using Planes = Value<std::vector<float>>;
@@ -36,10 +34,6 @@ class Layered : public Technique {
     };
     static const double full_8_bits;  // exp(-kappa) = 2^-8
 
-    // A depth map of where the casters of each texel begin, or end.
-    static Texture& add_first_depth(FrameGraph& graph, const ShadowInputs& inputs,
-                                    int depth_bits = 32);
-    static Texture& add_last_depth(FrameGraph& graph, const ShadowInputs& inputs);
     // Passes that draw the layers into the array texture "opacity".
     DrawnLayers add_layers(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
                            Planes& planes, const Options& options) const;

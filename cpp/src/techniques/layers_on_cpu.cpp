@@ -11,17 +11,6 @@
 namespace opacity::techniques {
 namespace {
 
-// `pick` takes the depth so far, and the fragment.
-template <class Pick>
-OnCpu depth_on_cpu(const ShadowInputs& inputs, Texture& depth, Pick pick) {
-    return [inputs, &depth, pick](PassContext& context) {
-        const std::span<float> map = context.memory<float>(depth);
-        for_each_fragment(inputs.fragments(context, false), [&](const Fragment& fragment) {
-            map[fragment.texel] = pick(map[fragment.texel], fragment);
-        });
-    };
-}
-
 // Where a texel lays its planes: lib/layer_span.glsl.
 class LayerPlanes {
    public:
@@ -240,17 +229,6 @@ class LayeredTexels : public TexelMap {
 };
 
 }  // namespace
-
-OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth, int depth_bits) {
-    return depth_on_cpu(inputs, depth, [depth_bits](float first, const Fragment& f) {
-        return std::min(first, rounded_depth(f.depth, depth_bits));
-    });
-}
-
-OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth) {
-    return depth_on_cpu(inputs, depth,
-                        [](float last, const Fragment& f) { return std::max(last, f.depth_end); });
-}
 
 OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
                     int target_count, int block_stride) {

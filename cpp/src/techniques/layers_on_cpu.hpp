@@ -12,11 +12,6 @@ namespace opacity::techniques {
 
 using OnCpu = std::function<void(PassContext&)>;
 
-// Where the first caster of each texel begins, rounded to so many bits, and where the last one
-// ends.
-OnCpu first_depth_on_cpu(const ShadowInputs& inputs, Texture& depth, int depth_bits);
-OnCpu last_depth_on_cpu(const ShadowInputs& inputs, Texture& depth);
-
 // Fills `target_count` layers of the map from `first_target` on; of one block of 4 x 4 texels in
 // every `block_stride`, both ways.
 OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
