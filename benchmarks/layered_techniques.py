@@ -24,11 +24,16 @@ LIT = 0.95
 WAYS: dict[str, tuple[str, dict[str, object]]] = {
     "`exact`": ("exact", {}),
     "`bounding_opacity_maps`": ("bounding_opacity_maps", {}),
+    "the same, 8 layers": ("bounding_opacity_maps", {"layers": 8}),
     "`deep_opacity_maps`": ("deep_opacity_maps", {}),
     "the same, 3 layers": ("deep_opacity_maps", {"layers": 3}),
     "`opacity_shadow_maps`": ("opacity_shadow_maps", {}),
     "the same, by density": ("opacity_shadow_maps", {"slicing": "density"}),
     "the same, 128 layers": ("opacity_shadow_maps", {"layers": 128}),
+    "`density_clustering`": ("density_clustering", {}),
+    "the same, 2 clusters": ("density_clustering", {"clusters": 2}),
+    "the same, 8 clusters": ("density_clustering", {"clusters": 8}),
+    "the same, even means": ("density_clustering", {"iterations": 0}),
 }
 
 

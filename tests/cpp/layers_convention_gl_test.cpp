@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compute_harness.hpp"
+#include "map/clusters.hpp"
 #include "map/depth_bits.hpp"
 #include "map/monotone_cubic.hpp"
 #include "techniques/drawn_layers.hpp"
@@ -90,4 +91,50 @@ TEST_CASE("planes stand in the same channels in GLSL and C++, each in one of its
             return Row{float(4 * slot.target + slot.channel), row[0]};
         });
     }
+}
+
+TEST_CASE("clusters of casters are the same in GLSL and C++") {
+    const auto context = context_or_skip();
+    if (!context) return;
+    Evaluator evaluator{
+        context,
+        {"#define CLUSTERS 3\n#include \"lib/clusters.glsl\"\n", 7, 5,
+         "float means[3] = float[3](given(0), given(1), given(2));\n"
+         "vec3 sum = vec3(0.0), one;\n"
+         "for (int i = 3; i < 6; ++i) {\n"
+         "    one = cell_moments(cell_of(means, 1), given(i), given(i) + 0.2, 0.5, means[1]);\n"
+         "    sum += one;\n"
+         "}\n"
+         "Cluster cluster = cluster_of(sum, means[1]);\n"
+         "result(0) = cluster.mean;\n"
+         "result(1) = cluster.reach;\n"
+         "result(2) = optical_depth_before(given(6), cluster);\n"
+         "one = cell_moments(cell_of(means, 1), given(5), given(5) + 0.2, 0.5, cluster.mean);\n"
+         "cluster = without(cluster, one);\n"
+         "result(3) = cluster.optical_depth;\n"
+         "result(4) = cluster.optical_depth * cluster.mean;"}};
+    Random random;
+    Table given;
+    for (int i = 0; i < 4000; ++i) {
+        Row row{random(0, 0.3f), random(0.35f, 0.6f), random(0.65f, 1)};
+        for (int k = 0; k < 4; ++k) row.push_back(random(0, 0.9f));
+        given.push_back(row);
+    }
+    const auto in_cpp = [](const Row& row) {
+        const std::array means{row[0], row[1], row[2]};
+        const auto held = [&](float begin, float about) {
+            return cell_moments(cell_of(means, 1), begin, begin + 0.2f, 0.5f, about);
+        };
+        ClusterMoments sum{};
+        for (int i = 3; i < 6; ++i) {
+            const ClusterMoments one = held(row[i], means[1]);
+            sum = {sum.optical_depth + one.optical_depth, sum.first + one.first,
+                   sum.second + one.second};
+        }
+        const Cluster cluster = cluster_of(sum, means[1]);
+        const Cluster others = without(cluster, held(row[5], cluster.mean));
+        return Row{cluster.mean, cluster.reach, optical_depth_before(row[6], cluster),
+                   others.optical_depth, others.optical_depth * others.mean};
+    };
+    check_agreement(given, evaluator(given), in_cpp, 1e-4);
 }

@@ -29,6 +29,9 @@ TECHNIQUES: list[tuple[str, dict[str, Any]]] = [
     ("deep_opacity_maps", {"layers": 7, "beyond": "extend", "layer_sizes": "constant"}),
     ("deep_opacity_maps", {"layers": 37, "packing": "4n-1", "depth_bits": 16}),
     ("deep_opacity_maps", {"layers": 6, "packing": "4n-1", "smoothing": 2}),
+    ("density_clustering", {}),
+    ("density_clustering", {"clusters": 1, "iterations": 0}),
+    ("density_clustering", {"clusters": 13, "iterations": 2}),
     ("unshadowed", {}),
 ]
 

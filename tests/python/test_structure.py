@@ -131,7 +131,7 @@ def test_the_registry_names_every_technique_once() -> None:
     assert registered == list(po.techniques())
     shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "histogram"}
     shared |= {"split_search", "smoothing", "packed_lists", "fragment_lists"}
-    shared |= {"depth_bounds", "own_corrected"}
+    shared |= {"depth_bounds", "own_corrected", "clusters_on_cpu"}
     for place, suffix in (
         (folder, ".hpp"),
         (folder, ".cpp"),

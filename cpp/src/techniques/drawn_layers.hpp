@@ -8,6 +8,7 @@
 
 namespace opacity::techniques {
 
+constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
 constexpr int planes_per_target = 4;
 
 // Where a plane stands in a map: a channel of one of its layers. GLSL: lib/layer_map.glsl.

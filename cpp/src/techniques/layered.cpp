@@ -12,8 +12,6 @@
 namespace opacity::techniques {
 namespace {
 
-constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
-
 // Of the passes and of the look-up.
 Defines layer_defines(const DrawnLayers& drawn) {
     Defines defines;
