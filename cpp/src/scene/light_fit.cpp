@@ -153,7 +153,8 @@ LightSpace LightFit::fit_directional(const Scene& scene, const DirectionalLight&
             .depth_range = range,
             .texels_per_unit = texels_per_unit,
             .least_bias = least_bias(scene),
-            .faces = {}};
+            .faces = {},
+            .splits = {}};
 }
 
 }  // namespace opacity

@@ -4,7 +4,8 @@
 // World points first become light coordinates. Of a directional light these are the place in the
 // map already. A positional light sees them through faces, each a perspective of its own: one where
 // its casters fit one, six around it where they do not, as many for each point of an area. All
-// faces lie side by side in one map, row by row.
+// faces lie side by side in one map, row by row. So do the splits of a directional light: windows
+// of its map that are finer, for parts of the camera's view.
 #pragma once
 
 #include <array>
@@ -32,19 +33,39 @@ struct LightFace {
 // Nothing nearer than this before a face, in depth ranges, is seen by it.
 inline constexpr float least_forward = 1e-4f;
 
+// Light coordinates of a directional light to one of its splits: x and y in texels, z as it is.
+struct LightSplit {
+    double scale = 1.0;
+    std::array<double, 2> offset_px{};
+    bool operator==(const LightSplit&) const = default;
+
+    double3 place(const double3& q) const {
+        return {scale * q[0] + offset_px[0], scale * q[1] + offset_px[1], q[2]};
+    }
+};
+
 struct LightSpace {
     double4x4 from_world = identity;  // to light coordinates
-    int map_size_px = 1;              // along each side of a face
+    int map_size_px = 1;              // along each side of a face, or split
     double depth_range = 1.0;         // world units from depth 0 to depth 1
-    // 1 / the side of a texel in world units; of a positional light, at one depth range before it.
+    // 1 / the side of a texel of the whole map in world units; of a positional light, at one depth
+    // range before it.
     double texels_per_unit = 1.0;
     double least_bias = 0.0;       // world units
     std::vector<LightFace> faces;  // none: directional
     int faces_an_eye = 1;          // or 6: forward is +z, -z, +x, -x, +y, -y
+    // Of a directional light: the whole map, then what is finer, first that nearest to the camera.
+    // A place is looked up in the first of these that holds it, else in the whole map. None: the
+    // whole map alone.
+    std::vector<LightSplit> splits = {};
     bool operator==(const LightSpace&) const = default;
 
     bool is_parallel() const { return faces.empty(); }
-    int face_count() const { return faces.empty() ? 1 : int(faces.size()); }
+    bool is_one_map() const { return faces.empty() && splits.empty(); }
+    // Maps side by side: faces, or splits.
+    int face_count() const {
+        return is_one_map() ? 1 : int(is_parallel() ? splits.size() : faces.size());
+    }
     int eye_count() const { return face_count() / faces_an_eye; }
     // Faces side by side, as square as they come.
     int columns() const;
