@@ -8,8 +8,8 @@ uniform mat4 u_light_from_local;
 // fuse a * b + c too.
 invariant gl_Position;
 
-#ifdef LIGHT_FACES
-// Each shape is drawn once for each face. What is beside the face, or not before it, is cut off.
+#ifdef MAP_FACES
+// Each shape is drawn once for each face, or split. What is beside it, or not before it, is cut off.
 flat out int v_face;
 int drawn_face() { return gl_InstanceID; }
 out float gl_ClipDistance[5];
@@ -22,22 +22,33 @@ vec4 clip_from_face(vec2 p, float forward) {
     gl_ClipDistance[2] = p.y;
     gl_ClipDistance[3] = size * forward - p.y;
     gl_ClipDistance[4] = forward - least_forward;
-    vec2 map_size = size * vec2(u_light_columns, (LIGHT_FACES + u_light_columns - 1) / u_light_columns);
+    vec2 map_size = size * vec2(u_light_columns, (MAP_FACES + u_light_columns - 1) / u_light_columns);
     return vec4(2.0 * (p + forward * vec2(corner_px(drawn_face()))) / map_size - forward, 0.0, forward);
 }
 
+#ifdef LIGHT_FACES
 vec4 clip_from_seen(vec3 r) {
     return clip_from_face(focal_px(drawn_face()) * r.xy + r.z * middle_px(drawn_face()), r.z);
 }
+#endif
 
 vec4 clip_from_texels(vec2 p) { return clip_from_face(p, 1.0); }
 #else
 vec4 clip_from_texels(vec2 p) { return vec4(2.0 * p / float(u_light_map_size_px) - 1.0, 0.0, 1.0); }
 #endif
 
+// A directional light's coordinates to the map that is drawn.
+#ifdef LIGHT_SPLITS
+vec3 drawn_place(vec3 p_ls) { return vec3(place_in(drawn_face(), p_ls.xy), p_ls.z); }
+float drawn_texels_per_unit() { return u_light_texels_per_unit * split_scale(drawn_face()); }
+#else
+vec3 drawn_place(vec3 p_ls) { return p_ls; }
+float drawn_texels_per_unit() { return u_light_texels_per_unit; }
+#endif
+
 // What leaves nothing in the map lies outside of it.
 vec4 clipped_away() {
-#ifdef LIGHT_FACES
+#ifdef MAP_FACES
     for (int i = 0; i < 5; ++i) gl_ClipDistance[i] = -1.0;
 #endif
     return vec4(2.0, 2.0, 0.0, 1.0);
@@ -62,7 +73,7 @@ uniform int u_opacity_stride;  // 0: one opacity for all
 #endif
 
 void main() {
-#ifdef LIGHT_FACES
+#ifdef MAP_FACES
     v_face = drawn_face();
 #endif
     place_caster();

@@ -1,5 +1,4 @@
-// Renders a scene, and answers how much light reaches a point. Skips whatever has not changed since
-// the last frame.
+// Renders a scene, and answers how much light reaches a point; skips whatever has not changed.
 #pragma once
 
 #include <array>
@@ -88,8 +87,10 @@ class Renderer {
     // Without a context, a headless one is made.
     Renderer(std::shared_ptr<Scene> scene, const Camera& camera,
              std::shared_ptr<Technique> technique = {}, std::shared_ptr<gl::Context> context = {});
-    // Without OpenGL: transmittance of techniques that have a form in C++, and no pictures.
-    static Renderer on_cpu(std::shared_ptr<Scene> scene, std::shared_ptr<Technique> technique = {});
+    // Without OpenGL: transmittance of techniques that have a form in C++, and no pictures. Without
+    // a camera, whose view techniques may split, one that sees all of the scene is made.
+    static Renderer on_cpu(std::shared_ptr<Scene> scene, std::shared_ptr<Technique> technique = {},
+                           const Camera* camera = nullptr);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
@@ -135,8 +136,7 @@ class Renderer {
     TextureContent read(const std::string& texture) const;
     // Forgets every cached pass.
     void invalidate();
-    // Called before each pass that runs, on the rendering thread; may throw to stop a long frame.
-    // What ran is kept.
+    // Called before each pass that runs, on the rendering thread; may throw: what ran is kept.
     void set_interrupt_check(std::function<void()> check);
     // Searches the split again at the next frame.
     void needs_recompute();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "opacity/core/param.hpp"
+#include "opacity/core/view_splits.hpp"
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/scene/light_space.hpp"
 
@@ -21,7 +22,7 @@ class LightCasters;
 class TexelMap;
 struct FragmentSource;
 
-// How shaders are told of a light's faces (lib/light.glsl); none of a directional one.
+// How shaders are told of a light's faces or splits (lib/light.glsl); of one map alone nothing.
 Defines light_defines(const LightSpace& space);
 
 // What the renderer hands to every technique.
@@ -82,6 +83,10 @@ class Technique : public ParamOwner {
     virtual std::string_view paper() const = 0;    // authors and year
     // Adds its passes; returns what the look-up takes.
     virtual LookUp build(FrameGraph& graph, const ShadowInputs& inputs) = 0;
+
+    // How it cuts the camera's view, each part of which gets a map of its own beside that of a
+    // directional light; no other light's.
+    virtual ViewSplits view_splits() const { return {}; }
 
     // What it searches for is searched again at the next frame.
     virtual void needs_recompute() {}

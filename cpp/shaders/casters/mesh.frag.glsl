@@ -16,7 +16,7 @@ vec2 slope_here() {
 #else
 in float v_depth;
 float depth_here() { return v_depth; }
-float texels_per_unit() { return u_light_texels_per_unit; }
+float texels_per_unit() { return drawn_texels_per_unit(); }
 vec2 slope_here() { return vec2(dFdx(v_depth), dFdy(v_depth)); }
 #endif
 #ifdef OPTICAL_DEPTH

@@ -27,6 +27,6 @@ void place_caster() {
     gl_Position = clip_from_seen(seen_by(drawn_face(), v_q));
 #else
     v_depth = p_ls.z;
-    gl_Position = clip_from_texels(p_ls.xy);
+    gl_Position = clip_from_texels(drawn_place(p_ls).xy);
 #endif
 }

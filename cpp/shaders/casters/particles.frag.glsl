@@ -28,7 +28,7 @@ bool covers(out Deposit deposit) {
     }
     float depths_a_texel = seen_by(v_face, v_sphere.xyz).z / focal_px(v_face);
 #else
-    float depths_a_texel = 1.0 / (u_light_texels_per_unit * u_light_depth_range);
+    float depths_a_texel = 1.0 / (drawn_texels_per_unit() * u_light_depth_range);
 #endif
     SphereCoverage coverage;
     if (!sphere_coverage(v_center.xy, v_radius_texels, through_center, u_profile, texel_in_face(), coverage))

@@ -47,8 +47,8 @@ void place_caster() {
     v_sphere = vec4(center, p.w * u_width_scale / u_light_depth_range);
     see_sphere(low, high);
 #else
-    v_center = center;
-    v_radius_texels = p.w * (u_width_scale * u_light_texels_per_unit);
+    v_center = drawn_place(center);
+    v_radius_texels = p.w * (u_width_scale * drawn_texels_per_unit());
     low = floor(v_center.xy - v_radius_texels), high = ceil(v_center.xy + v_radius_texels);
 #endif
     gl_Position = clip_from_texels(mix(low, high, quad_corner()));

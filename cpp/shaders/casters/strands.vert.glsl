@@ -55,8 +55,8 @@ void place_caster() {
         return;
     }
 #else
-    v_root = root_ls, v_tip = tip_ls;
-    v_width_texels = vec2(root.w, tip.w) * (u_width_scale * u_light_texels_per_unit);
+    v_root = drawn_place(root_ls), v_tip = drawn_place(tip_ls);
+    v_width_texels = vec2(root.w, tip.w) * (u_width_scale * drawn_texels_per_unit());
 #endif
 
     vec2 a = v_root.xy, d = v_tip.xy - v_root.xy;

@@ -9,6 +9,8 @@ flat in vec3 v_slab_begin, v_slab_end;
 bool covers(out Deposit deposit) {
 #ifdef LIGHT_FACES
     LightRay light = light_ray(v_face, texel_in_face());
+#elif defined(LIGHT_SPLITS)
+    LightRay light = light_ray(place_from(v_face, texel_in_face()));
 #else
     LightRay light = light_ray(gl_FragCoord.xy);
 #endif

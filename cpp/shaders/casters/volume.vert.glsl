@@ -45,6 +45,6 @@ void place_caster() {
 #ifdef LIGHT_FACES
     gl_Position = clip_from_seen(seen_by(drawn_face(), p_ls));
 #else
-    gl_Position = clip_from_texels(p_ls.xy);
+    gl_Position = clip_from_texels(drawn_place(p_ls).xy);
 #endif
 }

@@ -12,11 +12,18 @@
 uniform sampler2D t_opaque_depth;
 #endif
 
-#ifdef LIGHT_FACES
+#ifdef MAP_FACES
 flat in int v_face;
 vec2 texel_in_face() { return gl_FragCoord.xy - vec2(corner_px(v_face)); }
 #else
 vec2 texel_in_face() { return gl_FragCoord.xy; }
+#endif
+
+// 1 / the side of a texel in world units, of a directional light.
+#ifdef LIGHT_SPLITS
+float drawn_texels_per_unit() { return u_light_texels_per_unit * split_scale(v_face); }
+#else
+float drawn_texels_per_unit() { return u_light_texels_per_unit; }
 #endif
 
 struct Deposit {

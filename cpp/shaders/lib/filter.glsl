@@ -6,9 +6,12 @@ uniform float u_filter_width;   // world units; negative: as the radius says
 
 const float largest_filter_radius = 32.0;  // texels
 
+float wanted_radius_texels(float texels_per_unit) {
+    return u_filter_width < 0.0 ? u_filter_radius : 0.5 * u_filter_width * texels_per_unit;
+}
+
 float filter_radius_texels(float texels_per_unit) {
-    float radius = u_filter_width < 0.0 ? u_filter_radius : 0.5 * u_filter_width * texels_per_unit;
-    return clamp(radius, 1.0 / 1024.0, largest_filter_radius);
+    return clamp(wanted_radius_texels(texels_per_unit), 1.0 / 1024.0, largest_filter_radius);
 }
 
 // erf to 1.5e-7: Abramowitz and Stegun 1964, 7.1.26.

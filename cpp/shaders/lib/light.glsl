@@ -5,22 +5,45 @@
 // u_light_from_local leads to light coordinates. Without LIGHT_FACES the light is directional, and
 // these are the place in the map already. With it they are offsets from the middle of the casters in
 // depth ranges, and the light sees them through faces, each a perspective onto a square of the map:
-// one a point of the light, or the six of a cube.
+// one a point of the light, or the six of a cube. With LIGHT_SPLITS the map of a directional light
+// lies beside finer ones of parts of it (C++: map/split_place.hpp).
 
-uniform int u_light_map_size_px;        // along each side of a face
+uniform int u_light_map_size_px;        // along each side of a face, or split
 uniform float u_light_depth_range;      // world units from z = 0 to z = 1
-// 1 / the side of a texel in world units; with faces, at one depth range before the light.
+// 1 / the side of a texel in world units; with faces, at one depth range before the light; with
+// splits, of the whole map.
 uniform float u_light_texels_per_unit;
+
+#if defined(LIGHT_FACES)
+#define MAP_FACES LIGHT_FACES
+#elif defined(LIGHT_SPLITS)
+#define MAP_FACES LIGHT_SPLITS
+#endif
+
+#ifdef MAP_FACES
+// Nothing nearer than this before a face, in depth ranges, is seen by it.
+const float least_forward = 1e-4;
+
+uniform int u_light_columns;  // faces, or splits, side by side in the map
+
+// The first texel of one.
+ivec2 corner_px(int face) { return u_light_map_size_px * ivec2(face % u_light_columns, face / u_light_columns); }
+#endif
+
+#ifdef LIGHT_SPLITS
+// Offset in texels and scale, from the whole map; that is the first.
+uniform vec3 u_light_splits[LIGHT_SPLITS];
+
+float split_scale(int split) { return u_light_splits[split].z; }
+vec2 place_in(int split, vec2 p) { return split_scale(split) * p + u_light_splits[split].xy; }
+vec2 place_from(int split, vec2 p) { return (p - u_light_splits[split].xy) / split_scale(split); }
+#endif
 
 #ifdef LIGHT_FACES
 // Rows: right, down, forward, each with the offset r = axes q + offset; last the focal length and
 // the middle of the face in texels, and the depth of q = 0.
 uniform mat4 u_light_faces[LIGHT_FACES];
 uniform int u_light_faces_an_eye;  // 1, or 6: forward is +z, -z, +x, -x, +y, -y
-uniform int u_light_columns;       // faces side by side in the map
-
-// Nothing nearer than this before a face, in depth ranges, is seen by it.
-const float least_forward = 1e-4;
 
 float focal_px(int face) { return u_light_faces[face][0].w; }
 vec2 middle_px(int face) { return vec2(u_light_faces[face][1].w, u_light_faces[face][2].w); }
@@ -59,9 +82,6 @@ float ribbon_width_by(int face, vec3 q, vec3 along, float width) {
     vec2 d = place_change_by(face, q, along).xy;
     return abs(d.x * across.y - d.y * across.x) * inversesqrt(max(dot(d, d), 1e-30));
 }
-
-// The first texel of a face.
-ivec2 corner_px(int face) { return u_light_map_size_px * ivec2(face % u_light_columns, face / u_light_columns); }
 
 // The face through which a point of the light sees q.
 int face_of(int eye, vec3 q) {

@@ -140,6 +140,21 @@ float face_transmittance(Receiver receiver) {
 #endif
 }
 
+#ifdef LIGHT_SPLITS
+// By a split: with all that the filter reads.
+bool is_held(Receiver receiver) {
+    float radius = wanted_radius_texels(receiver.texels_per_unit), reach = radius + 1.0;
+    return radius <= largest_filter_radius && all(greaterThan(receiver.p_ls.xy, vec2(reach))) &&
+           all(lessThan(receiver.p_ls.xy, vec2(float(u_light_map_size_px) - reach)));
+}
+
+int split_of(Receiver receiver) {
+    for (int split = 1; split < LIGHT_SPLITS; ++split)
+        if (is_held(seen_through(split, receiver))) return split;
+    return 0;
+}
+#endif
+
 float shadow_transmittance(Receiver receiver) {
 #ifdef LIGHT_FACES
     // The mean over the light's points. What is beside or behind a face lies in no shadow.
@@ -151,6 +166,8 @@ float shadow_transmittance(Receiver receiver) {
         sum += is_before ? face_transmittance(seen_through(face, receiver)) : counts_at(0.0) ? 1.0 : 0.0;
     }
     return sum / float(eyes);
+#elif defined(LIGHT_SPLITS)
+    return face_transmittance(seen_through(split_of(receiver), receiver));
 #else
     return face_transmittance(receiver);
 #endif

@@ -9,7 +9,8 @@
 
 // With LIGHT_FACES a receiver comes in light coordinates, its strand's direction as the whole segment
 // there, or its surface's normal, and its width as a directional light would have it; seen_through
-// makes of it what one face sees.
+// makes of it what one face sees. With LIGHT_SPLITS it comes as it lies in the whole map, and
+// seen_through makes of it what one split sees.
 struct Receiver {
     vec3 p_ls;
     float width;         // world units: a strand does not shadow its own neighbourhood; else 0
@@ -76,6 +77,24 @@ Receiver seen_through(int face, Receiver receiver) {
         vec3 b = cross(v, a);
         seen.direction = vec3(surface_slope(place_change_by(face, q, normalize(a)),
                                             place_change_by(face, q, normalize(b))), 0.0);
+    }
+    return seen;
+}
+#endif
+
+#ifdef LIGHT_SPLITS
+// What changes by texel changes less by one that is finer.
+Receiver seen_through(int split, Receiver receiver) {
+    Receiver seen = receiver;
+    float scale = split_scale(split);
+    seen.p_ls = vec3(place_in(split, receiver.p_ls.xy), receiver.p_ls.z);
+    seen.corner = corner_px(split);
+    seen.texels_per_unit *= scale;
+    seen.width_texels *= scale;
+    if (receiver.on_surface) seen.direction /= scale;
+    if (receiver.on_strand) {
+        seen.direction.z /= scale;
+        seen.ends = clamp(receiver.ends * scale, -endless_texels, endless_texels);
     }
     return seen;
 }

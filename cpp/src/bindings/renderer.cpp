@@ -18,7 +18,7 @@ std::unique_ptr<Renderer> make_renderer(std::shared_ptr<Scene> scene, const Came
         const py::gil_scoped_release release;
         renderer = std::make_unique<Renderer>(
             context ? Renderer{std::move(scene), camera, std::move(technique), context->context}
-                    : Renderer::on_cpu(std::move(scene), std::move(technique)));
+                    : Renderer::on_cpu(std::move(scene), std::move(technique), &camera));
     }
     check_signals();
     // Ctrl-C stops a long frame at its next pass.

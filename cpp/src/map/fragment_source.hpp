@@ -10,6 +10,7 @@
 #include "map/face.hpp"
 #include "map/interval.hpp"
 #include "map/light_casters.hpp"
+#include "map/split_place.hpp"
 
 namespace opacity {
 
@@ -34,6 +35,13 @@ struct FragmentSource {
     bool paper_deposit = false;
     bool optical_depth = true;
     bool moved_back = false;  // surfaces, away from the light (map/surface.hpp)
+    SplitPlace split = {};    // of a directional light, whose texels `space` tells then
+
+    // The same through one of the faces, or splits, of the light.
+    FragmentSource through(const LightSpace& space_there, int face) const {
+        return {casters,       shapes,        space_there, opaque_depth,
+                paper_deposit, optical_depth, moved_back,  split_place(space_there, face)};
+    }
 };
 
 // Leaves out what no receiver can notice: casters behind all receivers or behind an opaque one,

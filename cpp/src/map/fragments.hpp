@@ -44,10 +44,12 @@ void for_each_fragment(const FragmentSource& source, Add add) {
     parallel_for(bands * std::size_t(source.space.face_count()), [&](std::size_t part) {
         const int face = int(part / bands), first = int(part % bands) * band_rows;
         const Rows rows{first, std::min(first + band_rows, size_px)};
-        FragmentSink<Add> sink{source, source.space.corner_px(face), add};
-        const MapFace* seen_through = source.space.is_parallel() ? nullptr : &faces[face];
+        const LightSpace space = with_texels_of(source.space, face);
+        const FragmentSource through = source.through(space, face);
+        FragmentSink<Add> sink{through, space.corner_px(face), add};
+        const MapFace* seen_through = space.is_parallel() ? nullptr : &faces[face];
         for (const LightCaster* caster : casters)
-            caster_fragments(*caster, source, seen_through, rows, sink);
+            caster_fragments(*caster, through, seen_through, rows, sink);
     });
 }
 

@@ -80,8 +80,24 @@ MapLookUp::Taps MapLookUp::filtered_taps(const SeenReceiver& receiver, float dep
     return taps;
 }
 
+// By a split: with all that the filter reads.
+bool MapLookUp::is_held(const SeenReceiver& receiver) const {
+    const float radius = wanted_radius_texels(receiver), reach = radius + 1.f;
+    const auto is_inside = [&](float v) {
+        return v > reach && v < float(space_.map_size_px) - reach;
+    };
+    return radius <= largest_filter_radius && is_inside(receiver.p_ls[0]) &&
+           is_inside(receiver.p_ls[1]);
+}
+
+SeenReceiver MapLookUp::seen_by_directional(const Receiver& receiver) const {
+    for (int split = 1; split < space_.face_count(); ++split)
+        if (const SeenReceiver there = seen(receiver, space_, split); is_held(there)) return there;
+    return seen(receiver, space_);
+}
+
 float MapLookUp::transmittance(const Receiver& receiver, float width) const {
-    if (space_.is_parallel()) return face_transmittance(seen(receiver, space_), width);
+    if (space_.is_parallel()) return face_transmittance(seen_by_directional(receiver), width);
     // What is beside or behind a face lies in no shadow.
     float sum = 0.f;
     for (int eye = 0; eye < faces_.eye_count(); ++eye) {
@@ -108,10 +124,13 @@ float MapLookUp::look_up_depth(const SeenReceiver& receiver, float width) const 
     return receiver.p_ls[2] - bias_of(receiver, width) / float(space_.depth_range);
 }
 
+float MapLookUp::wanted_radius_texels(const SeenReceiver& receiver) const {
+    return filter_.width < 0.f ? filter_.radius_texels
+                               : 0.5f * filter_.width * receiver.texels_per_unit;
+}
+
 float MapLookUp::radius_texels(const SeenReceiver& receiver) const {
-    const float wanted = filter_.width < 0.f ? filter_.radius_texels
-                                             : 0.5f * filter_.width * receiver.texels_per_unit;
-    return std::clamp(wanted, 1.f / 1024.f, largest_filter_radius);
+    return std::clamp(wanted_radius_texels(receiver), 1.f / 1024.f, largest_filter_radius);
 }
 
 DepthRange MapLookUp::depths(const Receiver& receiver, float width) const {
@@ -130,7 +149,7 @@ DepthRange MapLookUp::depths(const Receiver& receiver, float width) const {
                                             seen.largest_margin));
     };
     if (space_.map_size_px < 4) extend(0.f), extend(1.f);  // add_tap
-    if (space_.is_parallel()) extend_by(seen(receiver, space_));
+    if (space_.is_parallel()) extend_by(seen_by_directional(receiver));
     for (int eye = 0; !space_.is_parallel() && eye < faces_.eye_count(); ++eye) {
         extend(0.f);  // where the eye does not see it
         extend_by(seen_through(faces_[faces_.face_of(eye, receiver.p_ls)], receiver, space_));

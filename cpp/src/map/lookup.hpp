@@ -68,6 +68,9 @@ class MapLookUp {
     float radius_texels(const SeenReceiver& receiver) const;
     float look_up_depth(const SeenReceiver& receiver, float width) const;
     float bias_of(const SeenReceiver& receiver, float width) const;
+    float wanted_radius_texels(const SeenReceiver& receiver) const;
+    bool is_held(const SeenReceiver& receiver) const;
+    SeenReceiver seen_by_directional(const Receiver& receiver) const;
     float face_transmittance(const SeenReceiver& receiver, float width) const;
     void add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, float depth,
                  float weight) const;

@@ -30,7 +30,8 @@ std::optional<MapSphere> sphere_in_map(const float4& particle, const LightSpace&
 template <class Sink>
 void particle_fragments(const LightCaster& caster, std::size_t particle,
                         const FragmentSource& source, const MapFace* face, Rows rows, Sink&& sink) {
-    const auto sphere = sphere_in_map(caster.points[particle], source.space, face);
+    const auto sphere =
+        sphere_in_map(source.split.place(caster.points[particle]), source.space, face);
     if (!sphere) return;
     const auto within = [](float v, int begin, int end) {
         return int(std::clamp(v, float(begin), float(end)));

@@ -158,10 +158,21 @@ void see_surface(SeenReceiver& seen, const MapFace& face, const Receiver& receiv
 
 }  // namespace
 
-SeenReceiver seen(const Receiver& receiver, const LightSpace& space) {
-    const float texels_per_unit = float(space.texels_per_unit);
-    return {
-        receiver, {}, texels_per_unit, largest_surface_margin(texels_per_unit, space.depth_range)};
+// What changes by texel changes less by one that is finer.
+SeenReceiver seen(const Receiver& receiver, const LightSpace& space, int split) {
+    const SplitPlace place = split_place(space, split);
+    const float texels_per_unit = float(space.texels_per_unit) * place.scale;
+    SeenReceiver seen{receiver, space.corner_px(split), texels_per_unit,
+                      largest_surface_margin(texels_per_unit, space.depth_range)};
+    seen.p_ls = place.place(receiver.p_ls);
+    seen.width_texels *= place.scale;
+    if (receiver.lies_on == on_surface)
+        for (float& slope : seen.direction) slope /= place.scale;
+    if (receiver.lies_on != on_strand) return seen;
+    seen.direction[2] /= place.scale;
+    for (float& end : seen.ends)
+        end = std::clamp(end * place.scale, -endless_texels, endless_texels);
+    return seen;
 }
 
 SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const LightSpace& space) {

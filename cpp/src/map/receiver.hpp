@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "map/face.hpp"
+#include "map/split_place.hpp"
 #include "opacity/scene/particles.hpp"
 #include "opacity/scene/scene.hpp"
 #include "scene/light_fit.hpp"
@@ -50,8 +51,8 @@ struct SeenReceiver : Receiver {
     float largest_margin = 0.f;      // of a surface there (map/surface.hpp)
 };
 
-// By a directional light, whose map is one face.
-SeenReceiver seen(const Receiver& receiver, const LightSpace& space);
+// By a directional light; through one of its splits, if it has any.
+SeenReceiver seen(const Receiver& receiver, const LightSpace& space, int split = 0);
 SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const LightSpace& space);
 
 // Where T is asked for; the width of strands there is for the automatic bias.

@@ -19,10 +19,10 @@ float4 seen_end(const MapFace& face, const float3& q, const float3& along, float
 }  // namespace
 
 std::optional<MapSegment> segment_in_map(const LightCaster& caster, std::size_t first,
-                                         const MapFace* face) {
+                                         const MapFace* face, const SplitPlace& split) {
     const float4 &root = caster.points[first], &tip = caster.points[first + 1];
     const float root_opacity = caster.opacity_at(first), tip_opacity = caster.opacity_at(first + 1);
-    if (!face) return MapSegment{root, tip, root_opacity, tip_opacity};
+    if (!face) return MapSegment{split.place(root), split.place(tip), root_opacity, tip_opacity};
     const float3 root_q = xyz(root), along = minus(xyz(tip), root_q);
     const float a = face->seen(root_q)[2], b = face->seen(xyz(tip))[2];
     constexpr float least = 1.001f * least_forward;

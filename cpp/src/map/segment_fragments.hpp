@@ -44,14 +44,14 @@ struct MapSegment {
 };
 // Nothing where it is not before the face.
 std::optional<MapSegment> segment_in_map(const LightCaster& caster, std::size_t first,
-                                         const MapFace* face);
+                                         const MapFace* face, const SplitPlace& split);
 
 // One segment's fragments within the rows. `Sink` takes x, y, where the fragment begins and ends in
 // depth, and what gives the optical depth.
 template <class Sink>
 void segment_fragments(const LightCaster& caster, std::size_t first, const FragmentSource& source,
                        const MapFace* face, Rows rows, Sink&& sink) {
-    const auto in_map = segment_in_map(caster, first, face);
+    const auto in_map = segment_in_map(caster, first, face, source.split);
     if (!in_map) return;
     const float4 &root = in_map->root, &tip = in_map->tip;
     const MajorSegment s{{root[0], root[1], root[2]}, {tip[0], tip[1], tip[2]}};

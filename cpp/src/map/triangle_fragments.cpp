@@ -76,11 +76,11 @@ void triangle_texels(const std::array<float4, 3>& p, const LightSpace& space, Ro
 }
 
 // From the corners as they are, not on the grid: an edge of the mask would show the difference.
-TriangleCoverage::TriangleCoverage(const LightCaster& caster, const std::uint32_t* corners)
+TriangleCoverage::TriangleCoverage(const LightCaster& caster, const std::uint32_t* corners,
+                                   const std::array<float4, 3>& places)
     : caster_{caster} {
     if (caster.coverage.empty()) return;
-    std::array<float4, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = caster.points[corners[i]];
+    std::array<float4, 3> p = places;
     x_ = p[0][0], y_ = p[0][1];
     uv_ = caster.uvs[corners[0]];
     for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -23,7 +23,9 @@ void triangle_texels(const std::array<float4, 3>& corners, const LightSpace& spa
 // What one triangle of a mesh with an alpha map covers of a texel.
 class TriangleCoverage {
    public:
-    TriangleCoverage(const LightCaster& caster, const std::uint32_t* corners);
+    // `places`: of its corners in the map.
+    TriangleCoverage(const LightCaster& caster, const std::uint32_t* corners,
+                     const std::array<float4, 3>& places);
     // Around a place in the map, where the texel's middle is.
     float at(float x, float y) const;
 
@@ -69,9 +71,9 @@ void triangle_fragments(const LightCaster& caster, std::size_t first, const Frag
         face_triangle_fragments(caster, corner, source, *face, rows, sink);
         return;
     }
-    const std::array<float4, 3> points{caster.points[corner[0]], caster.points[corner[1]],
-                                       caster.points[corner[2]]};
-    const TriangleCoverage coverage{caster, corner};
+    std::array<float4, 3> points;
+    for (std::size_t i = 0; i < 3; ++i) points[i] = source.split.place(caster.points[corner[i]]);
+    const TriangleCoverage coverage{caster, corner, points};
     triangle_texels(points, source.space, rows, [&](const TriangleTexel& t) {
         float depth = 0.f, opacity = 0.f;
         for (int i = 0; i < 3; ++i) {

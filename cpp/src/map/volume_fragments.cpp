@@ -14,8 +14,9 @@ float3 transformed(const std::array<float4, 4>& m, const float3& v, float w) {
 }
 
 // As lib/light.glsl's light_ray, through the middle of a texel.
-VoxelRay ray_through(const LightCaster& caster, const MapFace* face, int x, int y) {
-    const float2 middle{float(x) + 0.5f, float(y) + 0.5f};
+VoxelRay ray_through(const LightCaster& caster, const MapFace* face, const SplitPlace& split, int x,
+                     int y) {
+    const float2 middle = split.turned_back({float(x) + 0.5f, float(y) + 0.5f});
     const LightRay light =
         face ? face->ray(middle) : LightRay{{middle[0], middle[1], 0.f}, {0.f, 0.f, 1.f}, -1e30f};
     return {transformed(caster.voxels_from_light, light.origin, 1.f),
@@ -40,14 +41,15 @@ int longest_axis(const float3& v) {
 struct TexelBox {
     int begin_x, end_x, begin_y, end_y;
 
-    TexelBox(const LightCaster& caster, const MapFace* face, const Slab& slab, int size_px,
-             Rows rows) {
+    TexelBox(const LightCaster& caster, const FragmentSource& source, const MapFace* face,
+             const Slab& slab, Rows rows) {
+        const int size_px = source.space.map_size_px;
         float low[2] = {1e30f, 1e30f}, high[2] = {-1e30f, -1e30f};
         for (int corner = 0; corner < 8; ++corner) {
             float3 voxel;
             for (std::size_t i = 0; i < 3; ++i)
                 voxel[i] = float((corner >> i & 1 ? slab.end : slab.begin)[i]);
-            float3 place = transformed(caster.light_from_voxels, voxel, 1.f);
+            float3 place = source.split.place(transformed(caster.light_from_voxels, voxel, 1.f));
             const bool is_seen = !face || face->seen(place)[2] > least_forward;
             if (face && is_seen) place = face->place(place);
             for (std::size_t row = 0; row < 2; ++row) {
@@ -68,7 +70,7 @@ struct TexelBox {
 
 }  // namespace
 
-void volume_texels(const LightCaster& caster, const LightSpace& space, const MapFace* face,
+void volume_texels(const LightCaster& caster, const FragmentSource& source, const MapFace* face,
                    Rows rows, const std::function<void(const SlabTexel&)>& texel) {
     const Volume& volume = *caster.volume;
     const auto& [nz, ny, nx] = volume.size_zyx();
@@ -79,11 +81,11 @@ void volume_texels(const LightCaster& caster, const LightSpace& space, const Map
     const int along_light = longest_axis(way_of_light(caster, face, {nx, ny, nz}));
     for (const Slab& slab : caster.slabs) {
         if (slab.axis != along_light) continue;
-        const TexelBox box{caster, face, slab, space.map_size_px, rows};
+        const TexelBox box{caster, source, face, slab, rows};
         for (int y = box.begin_y; y < box.end_y; ++y)
             for (int x = box.begin_x; x < box.end_x; ++x)
-                if (const auto chord =
-                        voxel_chord(ray_through(caster, face, x, y), grid, slab.begin, slab.end))
+                if (const auto chord = voxel_chord(ray_through(caster, face, source.split, x, y),
+                                                   grid, slab.begin, slab.end))
                     texel({x, y, *chord});
     }
 }

@@ -13,13 +13,13 @@ struct SlabTexel {
     VoxelChord chord;
 };
 // Those of all slabs across that axis of the volume which runs most along the light.
-void volume_texels(const LightCaster& caster, const LightSpace& space, const MapFace* face,
+void volume_texels(const LightCaster& caster, const FragmentSource& source, const MapFace* face,
                    Rows rows, const std::function<void(const SlabTexel&)>& texel);
 
 template <class Sink>
 void volume_fragments(const LightCaster& caster, const FragmentSource& source, const MapFace* face,
                       Rows rows, Sink&& sink) {
-    volume_texels(caster, source.space, face, rows, [&](const SlabTexel& t) {
+    volume_texels(caster, source, face, rows, [&](const SlabTexel& t) {
         sink(t.x, t.y, t.chord.begin, t.chord.end, [&] { return t.chord.optical_depth; });
     });
 }

@@ -15,9 +15,11 @@ void Frame::fit_lights(const FrameInputs& inputs, const Box& query, std::size_t 
         const std::string scope = lights_.empty() ? "" : "light" + std::to_string(lights_.size());
         lights_.push_back(std::make_unique<LightMaps>(scope));
     }
+    const RenderSettings& settings = inputs.settings;
+    const CameraView camera{inputs.camera, double(settings.width.get()) / settings.height.get()};
     for (std::size_t i = 0; i < count; ++i)
         lights_[i]->fit(inputs.scene, lights.empty() ? nullptr : lights[i].get(),
-                        {inputs.technique, inputs.settings.map_size, inputs.settings.steady},
+                        {inputs.technique, settings.map_size, settings.steady}, camera,
                         i == asked ? query : Box{});
 }
 

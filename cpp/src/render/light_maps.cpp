@@ -24,14 +24,15 @@ LightMaps::LightMaps(const std::string& scope)
     : scope_{scope}, view_{scoped(scope, "light")}, query_{scoped(scope, "query_points")} {}
 
 void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults& defaults,
-                    const Box& query) {
+                    const CameraView& camera, const Box& query) {
     is_lit_ = light != nullptr;
     technique_ = light && light->technique() ? light->technique() : defaults.technique;
     own_map_size_px_ = light ? light->map_size() : 0;
-    if (!defaults.steady.get()) fit_ = {};
+    if (!defaults.steady.get()) fit_ = {}, split_fit_ = {};
     space_ = fit_.fit(
         scene, light_or_none(light),
         [&](double side) { return map_size_px(scene, defaults.map_size, side); }, query);
+    space_.splits = split_fit_.fit(space_, scene, camera, technique_->view_splits());
     update_light_view(view_, space_);
 }
 

@@ -12,6 +12,7 @@
 #include "render/shadow_query.hpp"
 #include "scene/light_fit.hpp"
 #include "scene/map_size.hpp"
+#include "scene/split_fit.hpp"
 
 namespace opacity::render {
 
@@ -29,9 +30,10 @@ class LightMaps {
     explicit LightMaps(const std::string& scope);
 
     // As the light and the scene are now; null: a scene without lights. `query` are world points
-    // beyond the scene's receivers that will be asked about.
+    // beyond the scene's receivers that will be asked about. The camera's view counts for
+    // techniques that split it, and for no other.
     void fit(const Scene& scene, const Light* light, const LightDefaults& defaults,
-             const Box& query);
+             const CameraView& camera, const Box& query);
     // Declares the passes, after which T can be looked up.
     void add_passes(FrameGraph& graph, SceneLists& lists);
 
@@ -57,6 +59,7 @@ class LightMaps {
     bool is_lit_ = false;
     int own_map_size_px_ = 0;  // 0: the renderer's
     LightFit fit_;
+    SplitFit split_fit_;
     LightSpace space_;
     View view_;
     MapSizeRule map_size_rule_;

@@ -20,6 +20,15 @@ std::vector<float> face_matrices(const LightSpace& space) {
     return values;
 }
 
+// Two offsets and the scale of each.
+std::vector<float> split_vectors(const LightSpace& space) {
+    std::vector<float> values;
+    for (const LightSplit& split : space.splits)
+        for (const double value : {split.offset_px[0], split.offset_px[1], split.scale})
+            values.push_back(float(value));
+    return values;
+}
+
 }  // namespace
 
 void update_light_view(View& view, const LightSpace& space) {
@@ -30,9 +39,10 @@ void update_light_view(View& view, const LightSpace& space) {
     if (!space.is_parallel()) {
         uniforms.emplace_back("u_light_faces", face_matrices(space));
         uniforms.emplace_back("u_light_faces_an_eye", space.faces_an_eye);
-        uniforms.emplace_back("u_light_columns", space.columns());
     }
-    view.update(space.from_world, std::move(uniforms), int(space.faces.size()));
+    if (!space.splits.empty()) uniforms.emplace_back("u_light_splits", split_vectors(space));
+    if (!space.is_one_map()) uniforms.emplace_back("u_light_columns", space.columns());
+    view.update(space.from_world, std::move(uniforms), space.is_one_map() ? 0 : space.face_count());
 }
 
 }  // namespace opacity::render

@@ -124,10 +124,10 @@ Renderer::Renderer(std::shared_ptr<Scene> scene, const Camera& camera,
     : impl_{std::make_unique<Impl>(std::move(scene), camera, std::move(technique),
                                    context ? std::move(context) : gl::Context::headless())} {}
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_{std::move(impl)} {}
-Renderer Renderer::on_cpu(std::shared_ptr<Scene> scene, std::shared_ptr<Technique> technique) {
-    const Camera unused = Camera::look_at({0, -1, 0}, {0, 0, 0});
-    return Renderer{
-        std::make_unique<Impl>(std::move(scene), unused, std::move(technique), nullptr)};
+Renderer Renderer::on_cpu(std::shared_ptr<Scene> scene, std::shared_ptr<Technique> technique,
+                          const Camera* camera) {
+    const Camera used = camera ? *camera : Camera::fit(scene ? *scene : Scene{});
+    return Renderer{std::make_unique<Impl>(std::move(scene), used, std::move(technique), nullptr)};
 }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;

@@ -11,8 +11,9 @@
 namespace opacity {
 
 Defines light_defines(const LightSpace& space) {
-    if (space.is_parallel()) return {};
-    return {{"LIGHT_FACES", std::to_string(space.face_count())}};
+    if (space.is_one_map()) return {};
+    return {
+        {space.is_parallel() ? "LIGHT_SPLITS" : "LIGHT_FACES", std::to_string(space.face_count())}};
 }
 
 Shader ShadowInputs::caster_shader(const std::string& fragment, bool optical_depth,

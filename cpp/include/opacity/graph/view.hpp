@@ -36,8 +36,8 @@ class View : public UniformSet {
     using UniformSet::UniformSet;
 
     const double4x4& from_world() const noexcept { return from_world_; }
-    // Through how many faces it looks, each of which every shape is drawn for once, with the number
-    // of the face as gl_InstanceID and five clip distances; 0: none, and once.
+    // Through how many faces or splits it looks, each of which every shape is drawn for once, with
+    // the number of the face as gl_InstanceID and five clip distances; 0: none, and once.
     int faces() const noexcept { return faces_; }
     void update(const double4x4& from_world, Uniforms uniforms, int faces = 0) {
         UniformSet::update(std::move(uniforms));
