@@ -120,6 +120,11 @@ TEST_CASE("split fit: none without a view, for a light at a place, or where noth
     LightSpace tiny = whole;
     tiny.map_size_px = 8;
     CHECK(fit.fit(tiny, *scene, {camera, 1.0}, four).empty());
+    LightSpace large = whole;
+    large.map_size_px = 5461;
+    CHECK(fit.fit(large, *scene, {camera, 1.0}, four).size() == 5);
+    large.map_size_px = 5462;  // three side by side
+    CHECK(fit.fit(large, *scene, {camera, 1.0}, four).empty());
     const Camera up = Camera::look_at({0, 0, 4}, {0, 10, 40});
     const auto empty = fit.fit(whole, *scene, {up, 1.0}, four);
     REQUIRE(empty.size() == 5);

@@ -12,6 +12,8 @@ namespace {
 // texel by which the window is moved to snap, and one to spare.
 constexpr double border_px = 3.0;
 constexpr int least_map_size_px = 16;
+// The smallest limit of textures that OpenGL 4.5 allows a driver.
+constexpr int largest_texture_px = 16384;
 // Room to move before a window must.
 constexpr double room = 1.06;
 // A window is as many times finer than the whole map as some power of 2^(1/4): else its texels
@@ -27,6 +29,14 @@ constexpr LightSplit empty_split{1.0, {-1e6, -1e6}};
 
 // In texels of the whole map.
 using Rectangle = Box;
+
+bool can_split(const LightSpace& whole, const ViewSplits& splits) {
+    if (splits.count < 2 || !whole.is_parallel() || whole.map_size_px < least_map_size_px)
+        return false;
+    LightSpace all = whole;
+    all.splits.resize(std::size_t(splits.count) + 1);
+    return all.width_px() <= largest_texture_px;
+}
 
 std::vector<Hexahedron> receivers_of(const Scene& scene) {
     std::vector<Hexahedron> receivers;
@@ -136,8 +146,7 @@ LightSplit steady(const LightSplit& held, const Rectangle& needed, double size_p
 std::vector<LightSplit> SplitFit::fit(const LightSpace& whole, const Scene& scene,
                                       const CameraView& view, const ViewSplits& splits) {
     const std::size_t maps = std::size_t(splits.count) + 1;
-    if (splits.count < 2 || !whole.is_parallel() || whole.map_size_px < least_map_size_px)
-        return held_ = {};
+    if (!can_split(whole, splits)) return held_ = {};
     if (whole.from_world != whole_ || held_.size() != maps) held_.assign(maps, empty_split);
     whole_ = whole.from_world;
     held_[0] = {};

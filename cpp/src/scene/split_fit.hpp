@@ -15,9 +15,9 @@ namespace opacity {
 
 class SplitFit {
    public:
-    // The whole map first, then its splits, nearest first; none for fewer than two, and for a
-    // positional light. It holds on to a window while that still does, and only then what moves
-    // keeps its texels.
+    // The whole map first, then its splits, nearest first; none for fewer than two, for a
+    // positional light, and where all of them would not fit one texture, or are tiny. It holds on
+    // to a window while that still does, and only then what moves keeps its texels.
     std::vector<LightSplit> fit(const LightSpace& whole, const Scene& scene, const CameraView& view,
                                 const ViewSplits& splits);
 

@@ -13,7 +13,9 @@
 // count, so T still falls along the light. Points that are asked about are looked up the same way:
 // the camera of the renderer decides, also on the CPU, and the one that sees all of the scene where
 // none was named. `splits = 1` is the whole map alone, whatever the camera. The opaque casters of
-// the light go through the same splits. A point, spot or area light keeps its one map.
+// the light go through the same splits. A point, spot or area light keeps its one map, and so do
+// maps that would not lie in one texture of 16384 texels (5461 each with 4 splits), or have fewer
+// than 16.
 //
 // Cost: 1 geometry pass, which draws each caster into splits + 1 maps, 4 bytes a texel of each. A
 // camera that moves draws them again only when it leaves the windows, which have room to move.
