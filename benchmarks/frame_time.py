@@ -22,7 +22,7 @@ SIZE, LIGHT = (1024, 768), (0.5, 0.3, -0.8)
 UNSHADOWED = "`unshadowed`"
 WAYS: dict[str, tuple[str, dict[str, Any]]] = {
     UNSHADOWED: ("unshadowed", {}),
-    "`shadow_map`": ("shadow_map", {}),
+    "`shadow_map`, `splits` 1": ("shadow_map", {"splits": 1}),
     "`deep_opacity_maps`, 3 layers": ("deep_opacity_maps", {"layers": 3}),
     "`deep_opacity_maps`": ("deep_opacity_maps", {}),
     "`opacity_shadow_maps`": ("opacity_shadow_maps", {}),
