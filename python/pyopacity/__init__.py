@@ -31,10 +31,11 @@ from pyopacity.errors import (
 from pyopacity.image import save_image
 from pyopacity.io import load
 from pyopacity.light import AreaLight, DirectionalLight, Light, PointLight, SpotLight
-from pyopacity.pass_report import PassReport, Report
+from pyopacity.look_up import transmittance
+from pyopacity.pass_report import PassReport, Report, ResourceMemory
 from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.reference_picture import traced_picture
-from pyopacity.renderer import Renderer, transmittance
+from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Particles, Shape, Strands, Volume
 from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
@@ -66,6 +67,7 @@ __all__ = [
     "PointLight",
     "Renderer",
     "Report",
+    "ResourceMemory",
     "Scene",
     "ShaderError",
     "Shape",

@@ -1,4 +1,4 @@
-"""What a frame did, and why."""
+"""What a frame did, and why; and what it holds."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -22,6 +22,20 @@ class PassReport:
     why: str
     ms: float
     note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ResourceMemory:
+    """A texture or buffer, as "bounding_opacity_maps/opacity".
+
+    ``bytes`` is what its content takes: not the samples of oversampled colours, which do not
+    outlive their pass, nor what a driver adds. ``texels`` is how many it has in one layer; 0 for a
+    buffer.
+    """
+
+    name: str
+    bytes: int
+    texels: int
 
 
 class Report(list[PassReport]):

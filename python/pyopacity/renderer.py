@@ -15,7 +15,7 @@ from pyopacity._arrays import Floats, Vector
 from pyopacity._attributes import HasParameters, add_parameters
 from pyopacity.camera import Camera
 from pyopacity.errors import ContextError, OutOfMemoryError, ParameterError
-from pyopacity.pass_report import PassReport, Report
+from pyopacity.pass_report import PassReport, Report, ResourceMemory
 from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.scene import Scene
 from pyopacity.shapes import Shape
@@ -193,6 +193,10 @@ class Renderer(HasParameters):
         rows, table = self._engine.report()
         return Report((PassReport(*row) for row in rows), table)
 
+    def memory(self) -> list[ResourceMemory]:
+        """What the last picture or look-up needed of memory: textures and buffers, by name."""
+        return [ResourceMemory(*row) for row in self._engine.memory()]
+
     @property
     def light_from_world(self) -> npt.NDArray[np.float64]:
         """World to the first light's map, as the last frame fitted it, (4, 4) float64 by rows.
@@ -347,35 +351,6 @@ class Renderer(HasParameters):
                 f"pass numpy.empty(({height}, {width}, 4), numpy.float32)",
             )
         return out
-
-
-def transmittance(
-    scene: Scene,
-    points: Floats | Shape,
-    technique: str | Technique = "bounding_opacity_maps",
-    map_size: int | Literal["auto"] = 512,
-    light: int = 0,
-) -> npt.NDArray[np.float32]:
-    """The part of a light that arrives at points, by the same maps on the CPU: no OpenGL at all.
-
-    To ask more than once keep a ``Renderer(scene, device="cpu")``, which skips what has not
-    changed.
-
-    Args:
-        scene: what casts, and the lights.
-        points: world positions, (N, 3) float32 or float64; or a shape: its own points.
-        technique: a name, or what :func:`pyopacity.technique` makes.
-        map_size: texels along each side of the light's map, 1..16384, or "auto".
-        light: index into ``scene.lights``.
-
-    Returns:
-        (N,) float32 in [0, 1]; see :meth:`Renderer.transmittance`.
-
-    Raises:
-        ParameterError: as :meth:`Renderer.transmittance`; or a technique that has no form in C++.
-    """
-    with Renderer(scene, technique=technique, device="cpu", map_size=map_size) as renderer:
-        return renderer.transmittance(points, light)
 
 
 def _camera(camera: object) -> Camera:

@@ -180,6 +180,19 @@ def test_the_report_is_data_and_a_table(renderer: po.Renderer) -> None:
     assert dot.startswith("digraph") and '"image"' in dot
 
 
+def test_memory_is_what_the_last_frame_needed(renderer: po.Renderer) -> None:
+    renderer.technique = po.technique("opacity_shadow_maps", layers=8, accumulator="float16")
+    renderer.transmittance(np.zeros((5, 3)))
+    texels = int(renderer.map_size) ** 2
+    held = {row.name: (row.bytes, row.texels) for row in renderer.memory()}
+    assert held["opacity_shadow_maps/opacity"] == (8 * 2 * texels, texels)
+    assert held["opaque_depth"] == (4 * texels, texels)
+    assert held["transmittance"] == (5 * 4, 0)  # a float for each point
+    assert "image" not in held
+    renderer.render()
+    assert "image" in {row.name for row in renderer.memory()}
+
+
 def test_textures_are_read_by_name(renderer: po.Renderer) -> None:
     renderer.render()
     depth = renderer.read("opaque_depth")

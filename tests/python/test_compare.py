@@ -124,7 +124,7 @@ def test_errors_stand_in_the_order_that_is_known(scene: po.Scene) -> None:
             for kind in ("depth", "total", "image"):
                 assert getattr(one, kind).rmse <= getattr(unshadowed, kind).rmse
             assert one.flip is not None and one.flip <= unshadowed.flip
-            assert one.seconds >= one.map_seconds >= 0.0 and one.seconds > 0.0
+            assert one.cost.seconds >= one.cost.map_seconds >= 0.0 and one.cost.seconds > 0.0
             assert one.receivers == 200
     sides = [rows["exact", map_size].footprint for map_size in (128, 256)]
     assert sides[0] == pytest.approx(2.0 * sides[1], rel=0.03)  # a border of one texel
@@ -145,6 +145,20 @@ def test_the_difference_of_depth_and_total_is_what_they_are_measured_against(
 
 
 @pytest.mark.gl
+def test_costs_are_those_of_the_maps(scene: po.Scene) -> None:
+    names = ("unshadowed", "opacity_shadow_maps", "deep_opacity_maps", "density_clustering")
+    found = {
+        (one.variant.technique, one.variant.parameters.get("layers")): one.cost
+        for one in results_of(scene, map_sizes=(32,), techniques=names, layers=(4, 16))
+    }
+    # 4 bytes each: a depth of opaque casters, which every shadow needs, and the layers.
+    free = found["unshadowed", None]
+    slices = [found["opacity_shadow_maps", n] for n in (4, 16)]
+    assert [one.bytes_per_texel - free.bytes_per_texel for one in slices] == [4 + 16, 4 + 64]
+    assert found["deep_opacity_maps", 16].passes > slices[1].passes == slices[0].passes > 0
+    assert found["density_clustering", None].bytes_per_texel > slices[0].bytes_per_texel
+
+
 def test_a_bias_holds_for_all_sides(scene: po.Scene) -> None:
     """So wide that nothing casts: whatever is compared with what, T is 1."""
     for result in results_of(scene, parameters={"bias": 100.0}):

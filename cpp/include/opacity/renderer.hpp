@@ -124,13 +124,13 @@ class Renderer {
     // Of the picture that render() makes with antialiasing 1.
     PictureReceivers receivers();
 
-    // World to the light's map as the last frame fitted it: x and y in texels, z in 0 .. 1 along
-    // the light.
+    // World to the light's map as the last frame fitted it: x, y in texels, z in 0 .. 1 along it.
     double4x4 light_from_world(int light = 0) const;
     // Side of a texel of the light's map at world points, in world units.
     std::vector<double> texel_sides(const Positions& world_points, int light = 0) const;
 
     const Report& report() const;
+    std::vector<ResourceMemory> memory() const;  // of the last frame, or look-up of T
     // The passes of the last frame and what they read and write, as a Graphviz digraph.
     std::string graph_dot() const;
     TextureContent read(const std::string& texture) const;

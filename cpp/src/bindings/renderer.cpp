@@ -90,6 +90,13 @@ py::tuple report(const Renderer& self) {
     return py::make_tuple(rows, text(to_string(self.report())));
 }
 
+py::list memory(const Renderer& self) {
+    py::list rows;
+    for (const ResourceMemory& row : self.memory())
+        rows.append(py::make_tuple(text(row.name), row.bytes, row.texels));
+    return rows;
+}
+
 py::array read(const Renderer& self, const std::string& name) {
     TextureContent content = self.read(name);
     std::vector<py::ssize_t> shape{content.height, content.width};
@@ -125,6 +132,7 @@ void bind_renderer(py::module_& module) {
                  return take(self.texel_sides(to_positions(xyz), light));
              })
         .def("report", &report)
+        .def("memory", &memory)
         .def("graph_dot", [](const Renderer& self) { return text(self.graph_dot()); })
         .def("read", &read)
         .def("invalidate", &Renderer::invalidate)

@@ -177,6 +177,8 @@ void FrameGraph::run(const Resource& goal) {
     shader_revision_ = device_.shader_revision();
     report_.clear();
     const std::set<const Source*> needed = needed_for(goal);
+    needed_.clear();
+    for (const Source* source : needed) needed_.insert(source->name());
     for (const Pass& pass : passes_) {
         const bool is_needed = feeds(pass, needed);
         report_.push_back(step(pass, is_needed));

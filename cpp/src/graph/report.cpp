@@ -32,6 +32,20 @@ std::string to_string(const Report& report) {
     return table;
 }
 
+std::vector<ResourceMemory> FrameGraph::memory() const {
+    std::vector<ResourceMemory> rows;
+    for (const auto& [name, desc] : allocated_) {
+        if (!needed_.contains(name)) continue;
+        const std::size_t scale = content_scale(desc);
+        rows.push_back({name, stored_bytes(desc), scale * scale * desc.width * desc.height});
+    }
+    for (const auto& [name, buffer] : buffers_)
+        if (needed_.contains(name)) rows.push_back({name, buffer->size_bytes(), 0});
+    std::sort(rows.begin(), rows.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
+    return rows;
+}
+
 std::string FrameGraph::graph_dot() const {
     std::string text = "digraph frame {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n";
     std::set<std::string> nodes, edges;

@@ -19,10 +19,26 @@ int channels(Format format) {
     }
 }
 
-std::size_t size_bytes(const TextureDesc& desc) {
+namespace {
+
+std::size_t values_in(const TextureDesc& desc) {
     const std::size_t scale = content_scale(desc);
     return scale * scale * desc.width * desc.height * std::max(desc.layers, 1) *
-           channels(desc.format) * 4;
+           channels(desc.format);
+}
+
+std::size_t stored_bytes_of_channel(Format format) {
+    return format == Format::rgba16f ? 2 : format == Format::rgba8 ? 1 : 4;
+}
+
+}  // namespace
+
+std::size_t size_bytes(const TextureDesc& desc) {
+    return values_in(desc) * 4;
+}
+
+std::size_t stored_bytes(const TextureDesc& desc) {
+    return values_in(desc) * stored_bytes_of_channel(desc.format);
 }
 
 void ShapePart::update(std::vector<Revision> signature) {

@@ -235,6 +235,9 @@ std::vector<double> Renderer::texel_sides(const Positions& world_points, int lig
 const Report& Renderer::report() const {
     return impl_->frame->graph().report();
 }
+std::vector<ResourceMemory> Renderer::memory() const {
+    return impl_->frame->graph().memory();
+}
 std::string Renderer::graph_dot() const {
     return impl_->frame->graph().graph_dot();
 }

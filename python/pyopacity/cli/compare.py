@@ -181,5 +181,6 @@ def _line(variant: Variant, row: dict[str, Any]) -> str:
     return (
         f"{variant.label}, map {row['map_size']}: RMSE depth {row['depth_rmse']:.4f}  "
         f"total {row['total_rmse']:.4f}{image}{flip}  "
-        f"{row['seconds']:.3f} s"
+        f"{row['seconds']:.3f} s  {row['passes']} passes  "
+        f"{row['bytes_per_texel']:.0f} bytes a texel"
     )

@@ -39,7 +39,8 @@ _MEANING = """
 <b>Depth error</b>: against every fragment of the same map, sorted; what layers cost.
 <b>Total error</b>: against rays through the real geometry, averaged over the footprint.
 <b>Image error</b>: of the picture, against the same picture shaded with T by rays; FLIP is what a
-person sees. Mean is of |difference|; bias below 0 is too dark; 99 % is the percentile.</p>
+person sees. Mean is of |difference|; bias below 0 is too dark; 99 % is the percentile.
+<b>Passes</b> and <b>bytes a texel</b>: of the maps of all lights, with what passes hand on.</p>
 """
 
 
@@ -109,8 +110,10 @@ def _table(rows: Sequence[Row]) -> str:
         names += f'<th class="first">{first}</th>' + "".join(f"<th>{name}</th>" for name in others)
     head = (
         f'<thead><tr><th colspan="4"></th>{groups}<th></th><th colspan="2" class="first">seconds'
-        "</th></tr><tr><th>#</th><th>technique</th><th>map</th><th>footprint</th>"
-        f'{names}<th>FLIP</th><th class="first">frame</th><th>maps</th></tr></thead>'
+        '</th><th colspan="2" class="first">maps</th></tr>'
+        "<tr><th>#</th><th>technique</th><th>map</th><th>footprint</th>"
+        f'{names}<th>FLIP</th><th class="first">frame</th><th>maps</th>'
+        '<th class="first">passes</th><th>bytes a texel</th></tr></thead>'
     )
     lines = [
         f"<tr>{''.join(_cells(number, row, colors[row['technique']]))}</tr>"
@@ -136,6 +139,7 @@ def _cells(number: int, row: Row, color: str) -> list[str]:
     flip = "-" if row["flip"] is None else f"{row['flip']:.4f}"
     cells.append(f"<td>{flip}</td>")
     cells.append(f'<td class="first">{row["seconds"]:.3f}</td><td>{row["map_seconds"]:.3f}</td>')
+    cells.append(f'<td class="first">{row["passes"]}</td><td>{row["bytes_per_texel"]:.0f}</td>')
     return cells
 
 

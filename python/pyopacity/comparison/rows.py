@@ -1,8 +1,7 @@
-"""A row for each technique and map: its three errors, and the time that it takes."""
+"""A row for each technique and map: its three errors, and what it costs."""
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass, fields
 from typing import Any, Literal
@@ -11,6 +10,7 @@ import numpy as np
 
 from pyopacity import _arrays, _native, metrics
 from pyopacity.camera import Camera
+from pyopacity.comparison.cost import Cost, cost_of
 from pyopacity.comparison.plan import Plan, Variant
 from pyopacity.comparison.surfaces import F32
 from pyopacity.comparison.truth import (
@@ -45,9 +45,7 @@ class Result:
         image: of linear RGB over black, against the picture with T by rays; None, as all that is
             about pictures, on a device that makes none.
         flip: mean FLIP of these two pictures; None where flip-evaluator is not installed.
-        seconds: for a whole frame, or T at the receivers' shapes where there are no pictures, with
-            nothing kept from the last; the median of a few.
-        map_seconds: the part of it that made the light's maps.
+        cost: time, passes, memory.
         renderer: what OpenGL calls itself, or "cpu".
         picture, traced: (H, W, 4) float32, linear, premultiplied.
     """
@@ -61,22 +59,20 @@ class Result:
     total: Errors
     image: Errors | None
     flip: float | None
-    seconds: float
-    map_seconds: float
+    cost: Cost
     renderer: str
     picture: F32 | None
     traced: F32 | None
 
     def figures(self) -> dict[str, Any]:
-        """The errors and times, flat: ``depth_rmse`` and so on."""
+        """The errors and costs, flat: ``depth_rmse`` and so on."""
         errors = {"depth": self.depth, "total": self.total, "image": self.image}
         flat = {
             f"{kind}_{name}": figure
             for kind, found in errors.items()
             for name, figure in _figures(found).items()
         }
-        times = {"seconds": self.seconds, "map_seconds": self.map_seconds}
-        return {**flat, "flip": self.flip, **times}
+        return {**flat, "flip": self.flip, **asdict(self.cost)}
 
 
 def compare(
@@ -140,7 +136,6 @@ class _Bench:
             picture, traced = renderer.render(), truth.picture(bias)
             image = metrics.errors(picture[..., :3], traced[..., :3])
             flip = metrics.flip(traced, picture) if metrics.has_flip() else None
-        seconds, map_seconds = self._times()
         return Result(
             variant=variant,
             map_size=map_size,
@@ -151,35 +146,11 @@ class _Bench:
             total=metrics.errors(measured, truth.transmittance(sides, bias)),
             image=image,
             flip=flip,
-            seconds=seconds,
-            map_seconds=map_seconds,
+            cost=cost_of(renderer, self.receivers, self.plan.repeats),
             renderer=renderer.device,
             picture=picture,
             traced=traced,
         )
-
-    def _times(self) -> tuple[float, float]:
-        """Medians in seconds of a whole frame, and of its passes before the light is used."""
-        once = self._time_of_look_ups if self.plan.device == "cpu" else self._time_of_picture
-        frames, maps = zip(*(once() for _ in range(self.plan.repeats)), strict=True)
-        return float(np.median(frames)), float(np.median(maps))
-
-    def _time_of_picture(self) -> tuple[float, float]:
-        self.renderer.invalidate()
-        start = time.perf_counter()
-        self.renderer.render()
-        return time.perf_counter() - start, _map_seconds(self.renderer)
-
-    def _time_of_look_ups(self) -> tuple[float, float]:
-        """The first shape's has the maps made."""
-        self.renderer.invalidate()
-        maps = 0.0
-        start = time.perf_counter()
-        for light in range(self.receivers.lights):
-            for shape, _ in self.receivers.chosen:
-                self.renderer.transmittance(shape, light)
-                maps += _map_seconds(self.renderer)
-        return time.perf_counter() - start, maps
 
 
 def available_device() -> Literal["gpu", "cpu"]:
@@ -193,11 +164,6 @@ def available_device() -> Literal["gpu", "cpu"]:
 
 def _figures(found: Errors | None) -> dict[str, float | None]:
     return dict(asdict(found)) if found else {one.name: None for one in fields(Errors)}
-
-
-def _map_seconds(renderer: Renderer) -> float:
-    used = ("lighting", "transmittance")
-    return sum(row.ms for row in renderer.report if row.name not in used) / 1000.0
 
 
 def _map_size_of(renderer: Renderer) -> tuple[int, str | None]:

@@ -63,6 +63,8 @@ class FrameGraph {
     void invalidate() { records_.clear(); }
 
     const Report& report() const noexcept { return report_; }
+    // Every texture and buffer that the goal of the last run needed, by name.
+    std::vector<ResourceMemory> memory() const;
     // The last declarations as a Graphviz digraph.
     std::string graph_dot() const;
     // ParameterError that lists the names when there is none of this one.
@@ -115,6 +117,7 @@ class FrameGraph {
     std::map<std::string, TextureDesc> allocated_;
     Revision shader_revision_ = 0;
     Report report_;
+    std::set<std::string> needed_;  // names, since what they belong to may be dropped
     std::function<void()> interrupt_check_;
 };
 

@@ -1,6 +1,7 @@
-// What a frame did, and why.
+// What a frame did, and why; and what it holds.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,13 @@ struct PassReport {
     std::string why = {};  // the reads that moved, or what made the pass unnecessary
     double ms = 0.0;
     std::string note = {};  // what the pass found when it ran last, such as the split ratio
+};
+
+// A texture or buffer that the last frame needed.
+struct ResourceMemory {
+    std::string name;
+    std::size_t bytes = 0;   // stored_bytes, or those of the buffer
+    std::size_t texels = 0;  // of one layer; of a buffer 0
 };
 
 using Report = std::vector<PassReport>;

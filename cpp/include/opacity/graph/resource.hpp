@@ -39,6 +39,10 @@ inline int content_scale(const TextureDesc& desc) {
     return desc.format == Format::depth32f ? desc.oversampling : 1;
 }
 
+// What its content takes on a GPU, where rgba16f and rgba8 are as small as they say; not the
+// samples of oversampled colours, which a pass drops at its end.
+std::size_t stored_bytes(const TextureDesc& desc);
+
 class Texture : public Resource {
    public:
     Texture(std::string name, const TextureDesc& desc) : Resource{std::move(name)}, desc_{desc} {}
