@@ -23,7 +23,9 @@ struct RecordingDevice : Device {
     void allocate(const Resource& r) override { calls.push_back("allocate " + r.name()); }
     void release(const Resource& r) noexcept override { calls.push_back("release " + r.name()); }
     void clear(const Pass& p) override { calls.push_back("clear " + p.name); }
-    void draw(const Pass& p, const Uniforms&) override { calls.push_back("draw " + p.name); }
+    void draw(const Pass& p, const Uniforms&, const ShapeFilter&) override {
+        calls.push_back("draw " + p.name);
+    }
     void dispatch(const Pass& p, std::array<int, 3>, const Uniforms&) override {
         calls.push_back("dispatch " + p.name);
     }

@@ -194,10 +194,36 @@ def test_memory_of_two_buffers_does_not_grow() -> None:
         with po.Renderer(scene, device="cpu", technique=technique, map_size=24) as renderer:
             renderer.transmittance(strands)
             row = next(row for row in renderer.report if row.name == "transmittance")
-            assert row.note == f"{layers} slices in turn"  # as many draws as slices
+            assert row.note.startswith(f"{layers} slices in turn")
             assert renderer.read(f"{OSM}/slices").shape == (24, 24, 4)
             with pytest.raises(po.ParameterError, match="no texture"):
                 renderer.read(f"{OSM}/opacity")
+
+
+@pytest.mark.parametrize("device", ["cpu", "gpu"])
+@pytest.mark.parametrize("light", LIGHTS)
+def test_a_cloud_behind_others_loads_what_is_stored_of_them(
+    request: pytest.FixtureRequest, device: str, light: str
+) -> None:
+    """Section 4 of the paper. One shape that holds them all is drawn for every slice."""
+    if device == "gpu":
+        request.getfixturevalue("needs_gl")
+    random = np.random.default_rng(2)
+    clouds = [random.normal((0, 0, 3 * k), 0.3, (40, 3)) for k in range(-4, 5)]
+    points = np.concatenate(clouds) + random.normal(0, 0.2, (360, 3))
+    toward = LIGHTS[light](np.array([0.0, 0.0, 1.0]))
+    technique = po.technique(OSM, buffers="two", layers=40)
+    found, notes = [], []
+    for groups in (clouds, [np.concatenate(clouds)]):
+        scene = po.Scene([po.Particles(c, radius=0.2, opacity=0.6) for c in groups], toward)
+        with po.Renderer(scene, device=device, technique=technique, map_size=24) as renderer:
+            found.append(renderer.transmittance(points))
+            notes.append(next(r.note for r in renderer.report if r.name == "transmittance"))
+    assert np.abs(found[0] - found[1]).max() < 5e-6  # each cloud has an origin of its own
+    assert found[0].min() < 0.5 < found[0].max()
+    drawn, every = (int(word) for word in notes[0].split() if word.isdigit() and int(word) > 40)
+    assert all(note.startswith("40 slices in turn") for note in notes) and every == 9 * 40
+    assert drawn < (0.3 if light == "directional" else 0.6) * every
 
 
 def test_pictures_keep_all_slices(needs_gl: None) -> None:

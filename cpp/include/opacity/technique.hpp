@@ -51,16 +51,18 @@ struct ShadowInputs {
     FragmentSource fragments(PassContext& context, bool optical_depth) const;
 };
 
-// A look-up that holds four planes at a time: the casters are drawn again for each plane, as lib/
-// layer_map.glsl has it, and receivers between two planes are asked while these are there.
+// A look-up that holds four planes at a time, as lib/layer_map.glsl has it: each adds to the one
+// four before it the casters in between, and receivers between two planes are asked while these are
+// there.
 struct Sweep {
+    static constexpr int planes_held = 4;
     Shader shader = {};         // draws u_plane; the look-up has its defines, too
     DrawList* draws = nullptr;  // some casters
     Reads reads = {};
     Texture* map = nullptr;
     const Value<std::vector<float>>* planes = nullptr;  // depths
     int planes_ahead = 1;  // that a look-up in front of plane k reads, from k on
-    std::function<void(PassContext&, int plane)> draw_on_cpu = {};
+    std::function<void(PassContext&, int plane, const ShapeFilter&)> draw_on_cpu = {};
     std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu = {};
 };
 

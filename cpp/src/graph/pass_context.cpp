@@ -15,8 +15,8 @@ namespace {
 
 }  // namespace
 
-void PassContext::draw(const Uniforms& extra) {
-    graph_.device_.draw(pass_, extra);
+void PassContext::draw(const Uniforms& extra, const ShapeFilter& wanted) {
+    graph_.device_.draw(pass_, extra, wanted);
 }
 
 void PassContext::dispatch(int count, const Uniforms& extra) {

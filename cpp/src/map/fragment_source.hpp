@@ -37,6 +37,11 @@ struct FragmentSource {
     bool moved_back = false;  // surfaces, away from the light (map/surface.hpp)
     SplitPlace split = {};    // of a directional light, whose texels `space` tells then
 
+    // Of these shapes alone.
+    FragmentSource of(const std::vector<ShapePtr>& some) const {
+        return {casters,       some,          space,      opaque_depth,
+                paper_deposit, optical_depth, moved_back, split};
+    }
     // The same through one of the faces, or splits, of the light.
     FragmentSource through(const LightSpace& space_there, int face) const {
         return {casters,       shapes,        space_there, opaque_depth,

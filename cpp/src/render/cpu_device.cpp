@@ -52,7 +52,7 @@ void CpuDevice::clear(const Pass& pass) {
     }
 }
 
-void CpuDevice::draw(const Pass& pass, const Uniforms&) {
+void CpuDevice::draw(const Pass& pass, const Uniforms&, const ShapeFilter&) {
     no_shaders(pass);
 }
 

@@ -19,7 +19,7 @@ class CpuDevice : public Device {
     std::span<std::byte> memory(const Resource& resource) override;
 
     void clear(const Pass& pass) override;
-    void draw(const Pass& pass, const Uniforms& extra) override;
+    void draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& wanted) override;
     void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) override;
     void zero(const Resource& resource) override;
     void write(const Resource& resource, std::span<const std::byte> content) override;

@@ -194,12 +194,15 @@ gl::Program& GlDevice::program(const Shader& shader, const Defines& shape_define
     return *program;
 }
 
-void GlDevice::draw(const Pass& pass, const Uniforms& extra) {
+void GlDevice::draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& wanted) {
     bind_targets(pass);
     set_state(pass);
     gl().BindVertexArray(vertex_array_.name());
     int index = 0;
-    for (const ShapePtr& shape : pass.draws->shapes()) draw_shape(pass, shape, index++, extra);
+    for (const ShapePtr& shape : pass.draws->shapes()) {
+        if (!wanted || wanted(*shape)) draw_shape(pass, shape, index, extra);
+        ++index;
+    }
     gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     resolve(pass);
     gl::check_errors(*context_, "drawing pass " + pass.name);

@@ -31,7 +31,7 @@ class GlDevice : public Device {
     void allocate(const Resource& resource) override;
     void release(const Resource& resource) noexcept override;
     void clear(const Pass& pass) override;
-    void draw(const Pass& pass, const Uniforms& extra) override;
+    void draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& wanted) override;
     void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) override;
     void zero(const Resource& resource) override;
     void write(const Resource& resource, std::span<const std::byte> content) override;

@@ -41,12 +41,38 @@ void in_parts(std::size_t count, Body body) {
     });
 }
 
-// Draws the planes that are missing before a look-up in front of this one. GLSL and C++ share it.
-template <class Draw>
-void draw_to(int plane, const Sweep& sweep, int& drawn, Draw draw) {
-    const int last = int(sweep.planes->get().size()) - 1;
-    while (drawn < std::min(plane + sweep.planes_ahead - 1, last)) draw(++drawn);
-}
+// Draws planes, each once, with what changes them. GLSL and C++ share it.
+class PlaneDraws {
+   public:
+    PlaneDraws(const Sweep& sweep, const LightSpace& space) : sweep_{sweep}, space_{space} {}
+
+    // Those that are missing before a look-up in front of this one.
+    template <class Draw>
+    void draw_to(int plane, Draw draw) {
+        const std::vector<float>& planes = sweep_.planes->get();
+        const int last = std::min(plane + sweep_.planes_ahead - 1, int(planes.size()) - 1);
+        while (drawn_ < last) {
+            const ShapeFilter is_near = near_plane(planes, ++drawn_, space_);
+            draw(drawn_, [&](const Shape& shape) {
+                const bool wanted = is_near(shape);
+                ++(wanted ? drawn_shapes_ : stored_shapes_);
+                return wanted;
+            });
+        }
+    }
+    std::string note() const {
+        std::string text = std::to_string(drawn_) + " slices in turn";
+        if (stored_shapes_ == 0) return text;
+        const int all = drawn_shapes_ + stored_shapes_;
+        return text + ", " + std::to_string(drawn_shapes_) + " of " + std::to_string(all) +
+               " draws";
+    }
+
+   private:
+    const Sweep& sweep_;
+    const LightSpace& space_;
+    int drawn_ = 0, drawn_shapes_ = 0, stored_shapes_ = 0;
+};
 
 // Rounding shall not make more light of all parts than there is.
 void add_part(float& sum, float part) {
@@ -140,10 +166,10 @@ std::vector<float> ShadowQuery::sweep(PassContext& context, const Asked& asked,
     context.resize(asked.buffers.transmittance, sorted.size() * sizeof(float));
     context.write(asked.buffers.query, std::as_bytes(std::span{sorted}));
     context.zero(*sweep.map);
-    int drawn = 0;
+    PlaneDraws draws{sweep, asked.space};
     for (std::size_t slab = 0; slab < lists.slabs(); ++slab) {
-        draw_to(int(slab) + 1, sweep, drawn, [&](int plane) {
-            context.draw({{"u_plane", plane}});
+        draws.draw_to(int(slab) + 1, [&](int plane, const ShapeFilter& wanted) {
+            context.draw({{"u_plane", plane}}, wanted);
         });
         const DepthSlab here = slab_of(planes, slab);
         dispatch(context, lists.firsts[slab], lists.of(slab).size(),
@@ -151,7 +177,7 @@ std::vector<float> ShadowQuery::sweep(PassContext& context, const Asked& asked,
                   {"u_is_first_slab", here.is_first},
                   {"u_is_last_slab", here.is_last}});
     }
-    context.note(std::to_string(drawn) + " slices in turn");
+    context.note(draws.note());
     const auto answers = context.read<float>(asked.buffers.transmittance);
     std::vector<float> sums(receivers.size(), 0.f);
     for (std::size_t i = 0; i < answers.size(); ++i) add_part(sums[lists.receivers[i]], answers[i]);
@@ -176,9 +202,11 @@ void ShadowQuery::sweep_on_cpu(PassContext& context, const Asked& asked) {
     const SlabLists lists =
         sorted_into_slabs(receivers_, receiver_width_, look_up_of(asked, *map, opaque), planes);
     transmittance_.assign(receivers_.size(), 0.f);
-    int drawn = 0;
+    PlaneDraws draws{sweep, asked.space};
     for (std::size_t slab = 0; slab < lists.slabs(); ++slab) {
-        draw_to(int(slab) + 1, sweep, drawn, [&](int plane) { sweep.draw_on_cpu(context, plane); });
+        draws.draw_to(int(slab) + 1, [&](int plane, const ShapeFilter& wanted) {
+            sweep.draw_on_cpu(context, plane, wanted);
+        });
         const MapLookUp answers = look_up_of(asked, *map, opaque, slab_of(planes, slab));
         const std::span<const std::uint32_t> here = lists.of(slab);
         in_parts(here.size(), [&](std::size_t i) {
@@ -186,7 +214,7 @@ void ShadowQuery::sweep_on_cpu(PassContext& context, const Asked& asked) {
                      answers.transmittance(receivers_[here[i]], receiver_width_));
         });
     }
-    context.note(std::to_string(drawn) + " slices in turn");
+    context.note(draws.note());
 }
 
 }  // namespace opacity::render

@@ -1,6 +1,9 @@
 #include "render/shadow_sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "opacity/scene/mesh.hpp"
 
 namespace opacity::render {
 namespace {
@@ -22,7 +25,52 @@ SlabRange range_of(const DepthRange& depths, std::span<const float> planes) {
     return {slab_at(depths.first - margin), slab_at(depths.last + margin)};
 }
 
+// How far a rasteriser, which moves corners, may set surfaces off that the light grazes.
+constexpr double margin_texels = 8.0;
+
+double distance(const double3& a, const double3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// From the eye of a face to the nearest and the farthest place in a box of light coordinates.
+DepthRange depths_through(const LightFace& face, const Box& box) {
+    const double3 back = face.turned_back(face.offset);
+    const double3 eye{-back[0], -back[1], -back[2]};
+    double3 nearest, farthest;
+    for (std::size_t i = 0; i < 3; ++i) {
+        nearest[i] = std::clamp(eye[i], box.min[i], box.max[i]);
+        farthest[i] = eye[i] < 0.5 * (box.min[i] + box.max[i]) ? box.max[i] : box.min[i];
+    }
+    const double start = face.depth_of_origin - std::hypot(back[0], back[1], back[2]);
+    return {float(start + distance(nearest, eye)), float(start + distance(farthest, eye))};
+}
+
 }  // namespace
+
+DepthRange depths_of(const Shape& shape, const LightSpace& space) {
+    const auto lock = shape.lock();
+    const Box box = shape.bounds().transformed(space.from_world);
+    DepthRange range{float(box.min[2]), float(box.max[2])};
+    for (std::size_t i = 0; i < space.faces.size(); ++i) {
+        const DepthRange seen = depths_through(space.faces[i], box);
+        range =
+            i == 0 ? seen
+                   : DepthRange{std::min(range.first, seen.first), std::max(range.last, seen.last)};
+    }
+    float reach = margin;
+    if (dynamic_cast<const Mesh*>(&shape))
+        reach += float(margin_texels / (space.texels_per_unit * space.depth_range));
+    return {range.first - reach, range.last + reach};
+}
+
+ShapeFilter near_plane(std::span<const float> planes, int k, const LightSpace& space) {
+    return [planes, k, &space](const Shape& shape) {
+        const DepthRange depths = depths_of(shape, space);
+        const bool is_stored =
+            k > Sweep::planes_held && depths.last < planes[k - Sweep::planes_held];
+        return !is_stored && !(depths.first > planes[k]);
+    };
+}
 
 DepthSlab slab_of(std::span<const float> planes, std::size_t i) {
     return {planes[i], planes[i + 1], i == 0, i + 2 == planes.size()};

@@ -1,5 +1,6 @@
 // The order in which a sweep asks its receivers: slab by slab, from the light on, each in all slabs
-// that its taps may lie in.
+// that its taps may lie in. And which casters it draws for a plane: those near it, as what lies in
+// front is stored in the map (Kim and Neumann 2001, section 4: volumes apart from each other).
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "map/lookup.hpp"
+#include "opacity/technique.hpp"
 
 namespace opacity::render {
 
@@ -22,6 +24,12 @@ struct SlabLists {
 
 // Slab i lies from planes[i] to planes[i + 1].
 DepthSlab slab_of(std::span<const float> planes, std::size_t i);
+// Where a shape's fragments may lie, in the light's depth.
+DepthRange depths_of(const Shape& shape, const LightSpace& space);
+
+// Those that change plane k of a sweep; it stays valid as long as `planes` and `space` do.
+ShapeFilter near_plane(std::span<const float> planes, int k, const LightSpace& space);
+
 SlabLists sorted_into_slabs(std::span<const Receiver> receivers, float width,
                             const MapLookUp& look_up, std::span<const float> planes);
 

@@ -258,21 +258,25 @@ OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int fi
     };
 }
 
-std::function<void(PassContext&, int plane)> plane_on_cpu(const ShadowInputs& inputs,
-                                                          const DrawnLayers& drawn) {
-    return [inputs, drawn](PassContext& context, int plane) {
+std::function<void(PassContext&, int plane, const ShapeFilter&)> plane_on_cpu(
+    const ShadowInputs& inputs, const DrawnLayers& drawn) {
+    return [inputs, drawn](PassContext& context, int plane, const ShapeFilter& wanted) {
         const LayerPlanes planes{context, drawn};
         const LayerMap map{context, drawn};
-        for_each_fragment(inputs.fragments(context, true), [&](const Fragment& fragment) {
-            const std::size_t texel = fragment.texel;
-            const float begin = planes.position(texel, fragment.depth);
-            const float end = planes.position(texel, fragment.depth_end);
-            const auto part = [&](int k) {
-                return k > 0 ? counted_at(planes.planes, k, begin, end) : 0.f;
-            };
-            map.plane(texel, plane) +=
-                map.added(fragment.optical_depth, part(plane), part(plane - planes_per_target));
-        });
+        std::vector<ShapePtr> shapes;
+        for (const ShapePtr& shape : inputs.translucent.shapes())
+            if (wanted(*shape)) shapes.push_back(shape);
+        for_each_fragment(
+            inputs.fragments(context, true).of(shapes), [&](const Fragment& fragment) {
+                const std::size_t texel = fragment.texel;
+                const float begin = planes.position(texel, fragment.depth);
+                const float end = planes.position(texel, fragment.depth_end);
+                const auto part = [&](int k) {
+                    return k > 0 ? counted_at(planes.planes, k, begin, end) : 0.f;
+                };
+                map.plane(texel, plane) +=
+                    map.added(fragment.optical_depth, part(plane), part(plane - planes_per_target));
+            });
     };
 }
 

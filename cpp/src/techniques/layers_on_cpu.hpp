@@ -18,8 +18,8 @@ OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int fi
                     int target_count, int block_stride);
 
 // Of a swept map: plane k follows plane k - 4, in whose place it comes; slice.frag.glsl.
-std::function<void(PassContext&, int plane)> plane_on_cpu(const ShadowInputs& inputs,
-                                                          const DrawnLayers& drawn);
+std::function<void(PassContext&, int plane, const ShapeFilter&)> plane_on_cpu(
+    const ShadowInputs& inputs, const DrawnLayers& drawn);
 
 // The look-up in them, for LookUp::on_cpu.
 std::function<std::unique_ptr<TexelMap>(PassContext&)> look_up_on_cpu(const DrawnLayers& drawn,

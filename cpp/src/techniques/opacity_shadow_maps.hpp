@@ -20,8 +20,8 @@
 // The kernel of 3 x 3 texels is filter = "box" with filter_radius = 1.5. Shadow samples are what is
 // asked about: a shape's vertices, any points, or in a picture what the camera sees, and no more.
 // Opaque casters have a depth map of their own. What lies behind all slices is looked up in the
-// farthest one. Volumes are not partitioned to draw the near ones less often: what has not moved is
-// not drawn again anyway.
+// farthest one. Many volumes apart from each other: with buffers = "two" a caster is drawn for the
+// slices that it lies in and the few behind it alone; from then on what is stored of it is loaded.
 #pragma once
 
 #include <string_view>

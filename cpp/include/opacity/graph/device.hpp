@@ -27,9 +27,9 @@ class Device {
     virtual void allocate(const Resource& resource) = 0;
     virtual void release(const Resource& resource) noexcept = 0;
 
-    // Clears the pass's targets; then draws, once for each shape of its list.
+    // Clears the pass's targets; then draws, once for each shape of its list that is wanted.
     virtual void clear(const Pass& pass) = 0;
-    virtual void draw(const Pass& pass, const Uniforms& extra) = 0;
+    virtual void draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& wanted) = 0;
     virtual void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) = 0;
 
     virtual void zero(const Resource& resource) = 0;

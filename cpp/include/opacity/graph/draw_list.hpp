@@ -2,6 +2,7 @@
 // where the shapes are does not run again when their colour changes.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ class ShapePart : public Source {
    private:
     std::vector<Revision> signature_;
 };
+
+// Which shapes of a list a draw is about; none: all.
+using ShapeFilter = std::function<bool(const Shape&)>;
 
 class DrawList {
    public:

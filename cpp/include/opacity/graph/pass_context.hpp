@@ -20,7 +20,7 @@ class PassContext {
     PassContext(FrameGraph& graph, const Pass& pass) : graph_{graph}, pass_{pass} {}
 
     // With `extra` uniforms besides those of the reads.
-    void draw(const Uniforms& extra = {});
+    void draw(const Uniforms& extra = {}, const ShapeFilter& wanted = {});
     // At least `count` invocations of a shader that includes lib/invocation.glsl.
     void dispatch(int count, const Uniforms& extra = {});
     // A declared store gets a new size before it is written.
