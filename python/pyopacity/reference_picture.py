@@ -5,6 +5,8 @@ light, plus *T (lit - dark)* for each light, with *lit* the one under it alone a
 All of them come from the renderer, and so does the point at which T is looked up
 (:meth:`pyopacity.Renderer.receivers`); only T is traced. What is left between the two pictures is
 the error of T, as a person sees it.
+
+Particles and volumes take T all along a view, not at one point: there is no such picture of them.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from pyopacity.errors import ParameterError
 from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
+from pyopacity.shapes import Particles, Volume
 from pyopacity.technique import UNSHADOWED
 from pyopacity.trace import trace_transmittance
 
@@ -75,10 +78,20 @@ class PictureParts:
         return averaged
 
 
+def can_be_traced(scene: Scene) -> bool:
+    """Whether each sample of its picture takes T at one point."""
+    return not any(isinstance(shape, Particles | Volume) for shape in scene.shapes)
+
+
 def picture_parts(
     scene: Scene, camera: Camera, size: tuple[int, int], samples: int, **settings: Any
 ) -> PictureParts:
     """What :func:`traced_picture` puts together; takes and raises the same."""
+    if not can_be_traced(scene):
+        raise ParameterError(
+            "the scene has particles or a volume, which take T all along a view",
+            "remove them, or compare T at points: pyopacity.trace_transmittance",
+        )
     n = _arrays.whole("samples", samples)
     if not 1 <= n <= _MOST_SAMPLES:
         raise ParameterError(f"samples = {n} is outside 1..{_MOST_SAMPLES}", "choose one inside it")
@@ -146,7 +159,7 @@ def traced_picture(
 
     Raises:
         ContextError: no OpenGL: the picture is rasterised, and only its T traced.
-        ParameterError: a value outside its range.
+        ParameterError: a value outside its range; particles, or a volume.
     """
     parts = picture_parts(scene, camera or Camera.fit(scene), size, samples, **settings)
     if isinstance(bias, str):

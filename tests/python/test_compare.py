@@ -237,6 +237,18 @@ def test_the_page_shows_every_technique_and_its_pictures(folder: pathlib.Path) -
 
 
 @pytest.mark.gl
+def test_media_are_shown_and_have_no_image_error(run: Run, tmp_path: pathlib.Path) -> None:
+    demo = ("demo:smoke?voxels=500", "-o", str(tmp_path), "--map-size", "32", *FLAGS)
+    result = run(*demo, "--technique", "exact", "--technique", "unshadowed")
+    assert result.returncode == 0, result.stderr
+    for row in rows_of(tmp_path):
+        assert row["image_rmse"] is row["flip"] is row["traced"] is row["error_map"] is None
+        assert (tmp_path / row["picture"]).read_bytes().startswith(b"\x89PNG")
+    page = (tmp_path / "index.html").read_text("utf-8")
+    assert page.count("<img") == 2 and "along a view" in page and "image error" not in page
+
+
+@pytest.mark.gl
 def test_the_command_in_a_row_measures_it_again(
     run: Run, folder: pathlib.Path, tmp_path: pathlib.Path
 ) -> None:

@@ -110,3 +110,9 @@ def test_bias_and_progress_reach_the_rays(scene: po.Scene) -> None:
 def test_bad_arguments_are_refused(scene: po.Scene, arguments: dict[str, Any], named: str) -> None:
     with pytest.raises(po.ParameterError, match=named):
         po.traced_picture(scene, **{"size": (8, 8), "samples": 1, **arguments})
+
+
+def test_media_have_no_traced_picture(scene: po.Scene) -> None:
+    scene.add(po.Particles(np.zeros((1, 3)), radius=1.0, opacity=0.5))
+    with pytest.raises(po.ParameterError, match="along a view"):
+        po.traced_picture(scene, size=(8, 8), samples=1)

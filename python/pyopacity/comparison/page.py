@@ -1,4 +1,4 @@
-"""The page of a comparison: the table, error over time, pictures beside the traced one."""
+"""The page of a comparison: the table, error over time, pictures beside the traced one, if any."""
 
 from __future__ import annotations
 
@@ -75,9 +75,9 @@ def _facts(row: Row) -> str:
         f"pyopacity {row['version']} on {row['renderer']}",
     ]
     if _has_pictures(row):
+        rays = " with a ray each" if row["traced"] is not None else ""
         facts.insert(
-            2,
-            f"pictures {row['image_size']}, {samples} x {samples} samples a pixel with a ray each",
+            2, f"pictures {row['image_size']}, {samples} x {samples} samples a pixel{rays}"
         )
     return html.escape("; ".join(facts)) + "."
 
@@ -170,6 +170,10 @@ def _pictures_of_all(rows: Sequence[Row]) -> list[str]:
     if not _has_pictures(rows[0]):
         return ["<p>None: they need OpenGL, and T was looked up on the CPU.</p>"]
     meaning = "<p>Error maps: red is too light, blue too dark, by .1 or more.</p>"
+    if rows[0]["traced"] is None:
+        meaning = (
+            "<p>Particles and volumes take T all along a view: their picture is not traced.</p>"
+        )
     return [meaning, *(_pictures(number, row) for number, row in enumerate(rows, 1))]
 
 
@@ -183,5 +187,6 @@ def _pictures(number: int, row: Row) -> str:
             ("picture", "the technique"),
             ("error_map", "error"),
         )
+        if row[name] is not None
     )
     return f'<h3>{heading}</h3>\n<div class="row">{figures}</div>'

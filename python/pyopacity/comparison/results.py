@@ -43,9 +43,11 @@ class Results:
         picture, traced = result.picture, result.traced
         self._make(self._folder if picture is None else self._folder / "images")
         row = self._row(result)
+        if picture is not None:
+            row |= {"picture": f"images/{_name_of(result)}.png"}
+            image.save_image(self._folder / row["picture"], picture)
         if picture is not None and traced is not None:
             row |= self._names_of(result, traced)
-            image.save_image(self._folder / row["picture"], picture)
             image.save_image(self._folder / row["traced"], traced)
             image.save_image(self._folder / row["error_map"], error_map(picture, traced))
         self.rows.append(row)
@@ -85,13 +87,9 @@ class Results:
         }
 
     def _names_of(self, result: Result, traced: F32) -> dict[str, str]:
-        """Files of a row's pictures."""
-        layers = result.variant.parameters.get("layers")
-        name = result.variant.technique + (f"-{layers}" if layers is not None else "")
-        name += f"-map-{'auto' if result.map_size_reason else result.map_size}"
+        """Files of what a row's picture is measured by."""
         return {
-            "picture": f"images/{name}.png",
-            "error_map": f"images/{name}-error.png",
+            "error_map": f"images/{_name_of(result)}-error.png",
             "traced": f"images/{self._name_of_traced(traced)}.png",
         }
 
@@ -105,6 +103,12 @@ class Results:
     def _write(self, name: str, content: str) -> None:
         with whole_file(self._folder / name) as file:
             file.write(content.encode())
+
+
+def _name_of(result: Result) -> str:
+    layers = result.variant.parameters.get("layers")
+    name = result.variant.technique + (f"-{layers}" if layers is not None else "")
+    return f"{name}-map-{'auto' if result.map_size_reason else result.map_size}"
 
 
 def error_map(picture: F32, traced: F32) -> F32:

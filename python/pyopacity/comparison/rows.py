@@ -43,7 +43,7 @@ class Result:
         depth: of T at the receivers, against the exact lists of the same map.
         total: of T at the receivers, against rays.
         image: of linear RGB over black, against the picture with T by rays; None, as all that is
-            about pictures, on a device that makes none.
+            about pictures, on a device that makes none, and where none can be traced.
         flip: mean FLIP of these two pictures; None where flip-evaluator is not installed.
         cost: time, passes, memory.
         renderer: what OpenGL calls itself, or "cpu".
@@ -134,6 +134,7 @@ class _Bench:
         picture = traced = image = flip = None
         if self.plan.device != "cpu":
             picture, traced = renderer.render(), truth.picture(bias)
+        if picture is not None and traced is not None:
             image = metrics.errors(picture[..., :3], traced[..., :3])
             flip = metrics.flip(traced, picture) if metrics.has_flip() else None
         return Result(

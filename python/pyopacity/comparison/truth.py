@@ -13,7 +13,7 @@ from pyopacity.camera import Camera
 from pyopacity.comparison.plan import Plan, Variant
 from pyopacity.comparison.surfaces import F32, F64, trace_on_surfaces
 from pyopacity.errors import ParameterError
-from pyopacity.reference_picture import PictureParts, picture_parts, traced
+from pyopacity.reference_picture import PictureParts, can_be_traced, picture_parts, traced
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Particles, Shape, Strands, Volume
@@ -136,8 +136,10 @@ class Truth:
             self._transmittance[key] = np.concatenate(lit)
         return self._transmittance[key]
 
-    def picture(self, bias: Bias) -> F32:
-        """(H, W, 4) float32: the camera's picture, shaded with T by rays."""
+    def picture(self, bias: Bias) -> F32 | None:
+        """(H, W, 4) float32: the camera's picture, shaded with T by rays; None of media."""
+        if not can_be_traced(self._scene):
+            return None
         if bias not in self._pictures:
             plan = self._plan
             if self._parts is None:
