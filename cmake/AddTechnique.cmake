@@ -7,9 +7,10 @@
 #     shaders/techniques/deep_opacity_maps.glsl  all of its stages
 #
 # The line compiles the pair and adds a row to the table that opacity::registry_rows() returns, in the order of the lines.
+# One that hands all work to others has no shader: opacity_add_technique(auto DELEGATES).
 # A technique from elsewhere says where: opacity_add_technique(mine DIRECTORY src SHADER_DIRECTORY shaders/techniques).
 function(opacity_add_technique name)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "DIRECTORY;SHADER_DIRECTORY" "")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "DELEGATES" "DIRECTORY;SHADER_DIRECTORY" "")
     set(directory ${PROJECT_SOURCE_DIR}/cpp/src/techniques)
     set(shader_directory ${PROJECT_SOURCE_DIR}/cpp/shaders/techniques)
     set(header techniques/${name}.hpp)
@@ -21,7 +22,11 @@ function(opacity_add_technique name)
         cmake_path(ABSOLUTE_PATH arg_SHADER_DIRECTORY OUTPUT_VARIABLE shader_directory)
     endif()
 
-    foreach(file ${directory}/${name}.hpp ${directory}/${name}.cpp ${shader_directory}/${name}.glsl)
+    set(files ${directory}/${name}.hpp ${directory}/${name}.cpp)
+    if(NOT arg_DELEGATES)
+        list(APPEND files ${shader_directory}/${name}.glsl)
+    endif()
+    foreach(file ${files})
         if(NOT EXISTS ${file})
             message(FATAL_ERROR "opacity_add_technique(${name}): ${file} is missing.\n"
                 "  fix: add it, or take out the line. A technique is ${name}.hpp and ${name}.cpp in ${directory}, and "

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,13 +12,14 @@
 #include "opacity/core/param.hpp"
 #include "opacity/core/view_splits.hpp"
 #include "opacity/graph/frame_graph.hpp"
+#include "opacity/look_up.hpp"
 #include "opacity/scene/light_space.hpp"
 
 namespace opacity {
 
+class Scene;
 // Of the maps without OpenGL (src/map).
 class LightCasters;
-class TexelMap;
 struct FragmentSource;
 
 // How shaders are told of a light's faces or splits (lib/light.glsl); of one map alone nothing.
@@ -51,32 +51,6 @@ struct ShadowInputs {
     FragmentSource fragments(PassContext& context, bool optical_depth) const;
 };
 
-// A look-up that holds four planes at a time, as lib/layer_map.glsl has it: each adds to the one
-// four before it the casters in between, and receivers between two planes are asked while these are
-// there.
-struct Sweep {
-    static constexpr int planes_held = 4;
-    Shader shader = {};         // draws u_plane; the look-up has its defines, too
-    DrawList* draws = nullptr;  // some casters
-    Reads reads = {};
-    Texture* map = nullptr;
-    const Value<std::vector<float>>* planes = nullptr;  // depths
-    int planes_ahead = 1;  // that a look-up in front of plane k reads, from k on
-    std::function<void(PassContext&, int plane, const ShapeFilter&)> draw_on_cpu = {};
-    std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu = {};
-};
-
-// What a shader that asks for T takes besides the light.
-struct LookUp {
-    Reads reads = {};
-    Defines defines = {};
-    bool own_correction = false;  // it also wants to know what the receiver itself casts
-    // The look-up's form in C++, over the declared reads.
-    std::function<std::unique_ptr<TexelMap>(PassContext&)> on_cpu = {};
-    // Where it can answer about points without what `reads` hold.
-    std::optional<Sweep> sweep = {};
-};
-
 class Technique : public ParamOwner {
    public:
     explicit Technique(std::string name) : ParamOwner{std::move(name), "pyopacity techniques"} {}
@@ -85,6 +59,13 @@ class Technique : public ParamOwner {
     virtual std::string_view paper() const = 0;    // authors and year
     // Adds its passes; returns what the look-up takes.
     virtual LookUp build(FrameGraph& graph, const ShadowInputs& inputs) = 0;
+
+    // Whose maps serve a scene that this light sees, and why; nobody's: its own.
+    struct Delegate {
+        std::shared_ptr<Technique> technique;
+        std::string why;
+    };
+    virtual Delegate delegate(const Scene&, const LightSpace&) { return {}; }
 
     // How it cuts the camera's view, each part of which gets a map of its own beside that of a
     // directional light; no other light's.

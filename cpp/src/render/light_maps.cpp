@@ -21,7 +21,11 @@ const Light& light_or_none(const Light* light) {
 }  // namespace
 
 LightMaps::LightMaps(const std::string& scope)
-    : scope_{scope}, view_{scoped(scope, "light")}, query_{scoped(scope, "query_points")} {}
+    : scope_{scope},
+      view_{scoped(scope, "light")},
+      chosen_size_{"map_size", ""},
+      chosen_technique_{"technique", ""},
+      query_{scoped(scope, "query_points")} {}
 
 void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults& defaults,
                     const CameraView& camera, const Box& query) {
@@ -32,16 +36,20 @@ void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults&
     space_ = fit_.fit(
         scene, light_or_none(light),
         [&](double side) { return map_size_px(scene, defaults.map_size, side); }, query);
+    const Technique::Delegate delegate = technique_->delegate(scene, space_);
+    if (delegate.technique) technique_ = delegate.technique;
+    chosen_technique_.set(delegate.why);
     space_.splits = split_fit_.fit(space_, scene, camera, technique_->view_splits());
     update_light_view(view_, space_);
 }
 
 int LightMaps::map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side) {
-    map_size_reason_.clear();
-    if (own_map_size_px_ > 0) return own_map_size_px_;
-    if (!map_size.is_auto()) return map_size.get();
+    if (own_map_size_px_ > 0 || !map_size.is_auto()) {
+        chosen_size_.set("");
+        return own_map_size_px_ > 0 ? own_map_size_px_ : map_size.get();
+    }
     const MapSize chosen = map_size_rule_.choose(scene, side, technique_->filter_width.get());
-    map_size_reason_ = std::to_string(chosen.size_px) + " texels: " + chosen.why;
+    chosen_size_.set(std::to_string(chosen.size_px) + " texels: " + chosen.why);
     return chosen.size_px;
 }
 
@@ -50,23 +58,25 @@ void LightMaps::add_passes(FrameGraph& graph, SceneLists& lists) {
     if (!scope_.empty()) scope.emplace(graph, scope_);
     casters_.collect();
     look_up_ = add_shadows(graph, lists);
-    if (!map_size_reason_.empty()) look_up_.reads.push_back(&add_map_size(graph, lists));
+    for (const Value<std::string>* chosen : {&chosen_size_, &chosen_technique_})
+        if (!chosen->get().empty()) look_up_.reads.push_back(&add_choice(graph, lists, *chosen));
     look_up_.reads.push_back(&view_);  // lighting places every vertex in the light's map
     transmittance_ = &query_.add(graph, look_up_, *technique_, space_, view_);
 }
 
-// Says in the report what was chosen before any pass could be declared, and why.
-const Source& LightMaps::add_map_size(FrameGraph& graph, SceneLists& lists) {
-    auto& size_px = graph.value("map_size", 0);
-    graph.add({.name = "map_size",
+// Says it in the report.
+const Source& LightMaps::add_choice(FrameGraph& graph, SceneLists& lists,
+                                    const Value<std::string>& chosen) {
+    auto& told = graph.value(chosen.name(), std::string{});
+    graph.add({.name = chosen.name(),
                .only_with = &lists.translucent,
-               .reads = {&view_, &technique_->filter_width},
-               .values = {&size_px},
-               .execute = [this, &size_px](PassContext& context) {
-                   context.set(size_px, space_.map_size_px);
-                   context.note(map_size_reason_);
+               .reads = {&chosen},
+               .values = {&told},
+               .execute = [&chosen, &told](PassContext& context) {
+                   context.set(told, chosen.get());
+                   context.note(chosen.get());
                }});
-    return size_px;
+    return told;
 }
 
 ShadowLookUp LightMaps::add_shadows(FrameGraph& graph, SceneLists& lists) {

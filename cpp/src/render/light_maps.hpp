@@ -48,7 +48,8 @@ class LightMaps {
 
    private:
     int map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side);
-    const Source& add_map_size(FrameGraph& graph, SceneLists& lists);
+    const Source& add_choice(FrameGraph& graph, SceneLists& lists,
+                             const Value<std::string>& chosen);
     // `moved_back`: for points that may lie on any of them (lib/surface.glsl).
     Texture& add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool moved_back);
     ShadowLookUp add_shadows(FrameGraph& graph, SceneLists& lists);
@@ -63,7 +64,8 @@ class LightMaps {
     LightSpace space_;
     View view_;
     MapSizeRule map_size_rule_;
-    std::string map_size_reason_;  // empty: the caller chose
+    // What was chosen before any pass could be declared, and why; empty: the caller chose.
+    Value<std::string> chosen_size_, chosen_technique_;
     LightCasters casters_;
     ShadowLookUp look_up_;
     ShadowQuery query_;
