@@ -9,6 +9,8 @@
 # The line compiles the pair and adds a row to the table that opacity::registry_rows() returns, in the order of the lines.
 # One that hands all work to others has no shader: opacity_add_technique(auto DELEGATES).
 # A technique from elsewhere says where: opacity_add_technique(mine DIRECTORY src SHADER_DIRECTORY shaders/techniques).
+include(TechniqueFiles)
+
 function(opacity_add_technique name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "DELEGATES" "DIRECTORY;SHADER_DIRECTORY" "")
     set(directory ${PROJECT_SOURCE_DIR}/cpp/src/techniques)
@@ -21,29 +23,11 @@ function(opacity_add_technique name)
     if(arg_SHADER_DIRECTORY)
         cmake_path(ABSOLUTE_PATH arg_SHADER_DIRECTORY OUTPUT_VARIABLE shader_directory)
     endif()
-
-    set(files ${directory}/${name}.hpp ${directory}/${name}.cpp)
-    if(NOT arg_DELEGATES)
-        list(APPEND files ${shader_directory}/${name}.glsl)
+    if(arg_DELEGATES)
+        set(shader_directory "")
     endif()
-    foreach(file ${files})
-        if(NOT EXISTS ${file})
-            message(FATAL_ERROR "opacity_add_technique(${name}): ${file} is missing.\n"
-                "  fix: add it, or take out the line. A technique is ${name}.hpp and ${name}.cpp in ${directory}, and "
-                "${name}.glsl in ${shader_directory}; start from a copy of unshadowed's three.")
-        endif()
-    endforeach()
 
-    # deep_opacity_maps -> DeepOpacityMaps
-    set(class "")
-    string(REPLACE "_" ";" words ${name})
-    foreach(word ${words})
-        string(SUBSTRING ${word} 0 1 first)
-        string(SUBSTRING ${word} 1 -1 rest)
-        string(TOUPPER ${first} first)
-        string(APPEND class ${first}${rest})
-    endforeach()
-
+    opacity_technique_files(opacity_add_technique ${name} ${directory} "${shader_directory}" class)
     target_sources(opacity PRIVATE ${directory}/${name}.cpp)
     set_property(TARGET opacity APPEND_STRING PROPERTY OPACITY_REGISTRY_INCLUDES "#include \"${header}\"\n")
     set_property(TARGET opacity APPEND_STRING PROPERTY OPACITY_REGISTRY_ROWS

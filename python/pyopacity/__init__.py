@@ -25,6 +25,7 @@ from pyopacity.errors import (
     ForkedContextError,
     OutOfMemoryError,
     ParameterError,
+    PluginError,
     ShaderError,
     UnknownNameError,
 )
@@ -38,7 +39,14 @@ from pyopacity.reference_picture import traced_picture
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Particles, Shape, Strands, Volume
-from pyopacity.technique import Parameter, Technique, TechniqueInfo, technique, techniques
+from pyopacity.technique import (
+    Parameter,
+    Technique,
+    TechniqueInfo,
+    load_plugin,
+    technique,
+    techniques,
+)
 from pyopacity.trace import trace_backends, trace_transmittance
 
 __version__ = _native.version()
@@ -64,6 +72,7 @@ __all__ = [
     "Particles",
     "PassReport",
     "PictureReceivers",
+    "PluginError",
     "PointLight",
     "Renderer",
     "Report",
@@ -78,6 +87,7 @@ __all__ = [
     "UnknownNameError",
     "Volume",
     "load",
+    "load_plugin",
     "metrics",
     "save_image",
     "technique",

@@ -4,6 +4,7 @@ Each function takes the name that the caller knows the value by, and returns wha
 or raises a ParameterError that says what was passed and what to pass instead.
 """
 
+import os
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeAlias
 
@@ -192,6 +193,14 @@ def read_only(array: npt.NDArray[Any]) -> Any:
     """A copy that refuses to be written, as what is written to it would be lost."""
     array.flags.writeable = False
     return array
+
+
+def path(value: str | os.PathLike[str]) -> bytes:
+    """The path of a file, as the system has it."""
+    name = os.fsencode(value)
+    if b"\0" in name:
+        raise ParameterError(f"the path {value!r} holds a zero byte", "pass the path of a file")
+    return name
 
 
 def choice(name: str, value: object, choices: tuple[str, ...]) -> None:

@@ -54,5 +54,9 @@ class ShaderError(Error):
     """A shader that does not compile or link, or that reads what its pass did not declare."""
 
 
+class PluginError(Error, ImportError):
+    """A plugin that does not open, was built against another engine, or takes a taken name."""
+
+
 class OutOfMemoryError(Error, MemoryError):
     """The driver or the machine has no memory left for what was asked."""

@@ -1,6 +1,7 @@
 """The shadow methods, enumerated from the engine's registry: a new one needs no line here."""
 
 import functools
+import os
 from dataclasses import dataclass
 from typing import Any
 
@@ -90,6 +91,29 @@ def technique(name: str, **parameters: Any) -> Technique:
     for key, value in parameters.items():
         native.set(key, _arrays.parameter(key, value, kinds.get(key, "")))
     return _class_of(name)(native)
+
+
+def load_plugin(path: str | os.PathLike[str]) -> tuple[str, ...]:
+    """Opens a shared library that was built against this engine, and registers its techniques.
+
+    Each is made only when it is asked for, and is then like any other: ``technique(name)``, the
+    command line (``--plugin``), every report. A library that is loaded already stays as it is; none
+    is ever unloaded. docs/plugins.md makes one.
+
+    Args:
+        path: what the plugin's build made. Its code runs in this process: load what you trust.
+
+    Returns:
+        The names of its techniques.
+
+    Raises:
+        PluginError: the file is no shared library or has no entry point, it was built against the
+            headers of another engine, or it brings a name that is taken. No technique of it is
+            registered then.
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise _arrays.wrong("path", path, "the path of a shared library")
+    return tuple(_native.load_plugin(_arrays.path(path)))
 
 
 def techniques() -> dict[str, TechniqueInfo]:

@@ -1,16 +1,13 @@
 """docs/add_a_technique.md, done word for word in a copy of the sources."""
 
 import os
-import re
 import shutil
-import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-GUIDE = ROOT / "docs" / "add_a_technique.md"
+from guides import ADD_A_TECHNIQUE, ROOT, run
+from guides import files as files_of
 
 PROGRAM = """
 #include <opacity/opacity.hpp>
@@ -31,11 +28,6 @@ int main() {
 """
 
 
-def blocks(guide: str) -> dict[str, str]:
-    """File name -> content of every code block that follows a file's name."""
-    return dict(re.findall(r"^`(cpp/[^`]+)`\n\n```\w+\n(.*?)```", guide, re.DOTALL | re.MULTILINE))
-
-
 @pytest.mark.slow
 def test_the_guide_adds_a_technique(needs_gl, tmp_path):
     copy = tmp_path / "copy"
@@ -43,7 +35,7 @@ def test_the_guide_adds_a_technique(needs_gl, tmp_path):
     for name in ("cpp", "cmake"):
         shutil.copytree(ROOT / name, copy / name)
     shutil.copy(ROOT / "CMakeLists.txt", copy)
-    files = blocks(GUIDE.read_text())
+    files = files_of(ADD_A_TECHNIQUE)
     assert len(files) == 4
     for name, content in files.items():
         with (copy / name).open("a") as file:  # the registry gets a line, the others are new
@@ -66,11 +58,3 @@ def test_the_guide_adds_a_technique(needs_gl, tmp_path):
     )  # fmt: skip
     # Half of the light passes the triangle; strength 2 squares it.
     assert run(program).split() == ["1.0000", "0.2500"]
-
-
-def run(*command: object) -> str:
-    result = subprocess.run(
-        [str(part) for part in command], capture_output=True, text=True, check=False
-    )
-    assert result.returncode == 0, result.stdout[-4000:] + result.stderr[-4000:]
-    return result.stdout

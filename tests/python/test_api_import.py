@@ -53,6 +53,7 @@ def test_version_is_three_numbers() -> None:
         (po.ForkedContextError, po.ContextError),
         (po.DeviceLostError, po.ContextError),
         (po.ShaderError, po.Error),
+        (po.PluginError, ImportError),
     ],
 )
 def test_errors_keep_what_and_fix_and_are_the_builtin_that_fits(

@@ -23,6 +23,7 @@
 #include "opacity/graph/frame_graph.hpp"
 #include "opacity/graph/report.hpp"
 // shadows
+#include "opacity/plugin.hpp"
 #include "opacity/technique.hpp"
 // pictures
 #include "opacity/gl/context.hpp"

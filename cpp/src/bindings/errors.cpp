@@ -6,6 +6,7 @@
 #include <new>
 
 #include "bindings/bindings.hpp"
+#include "opacity/plugin.hpp"
 
 namespace opacity::bindings {
 namespace {
@@ -37,6 +38,8 @@ void translate(std::exception_ptr thrown) {
         raise("FileFormatError", error);
     } catch (const ShaderError& error) {
         raise("ShaderError", error);
+    } catch (const PluginError& error) {
+        raise("PluginError", error);
     } catch (const OutOfMemoryError& error) {
         raise("OutOfMemoryError", error);
     } catch (const Error& error) {

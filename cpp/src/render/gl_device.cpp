@@ -7,6 +7,7 @@
 #include "opacity/core/error.hpp"
 #include "render/feed_shape.hpp"
 #include "render/program_feeder.hpp"
+#include "techniques/registry.hpp"
 
 namespace opacity::render {
 
@@ -52,6 +53,11 @@ GlDevice::GlDevice(std::shared_ptr<gl::Context> context)
       vertex_array_{context_} {}
 
 Revision GlDevice::shader_revision() {
+    if (registered_revision_ != registered_revision()) {
+        registered_revision_ = registered_revision();
+        for (const RegisteredTechnique& technique : registered_techniques())
+            library_.add("techniques/" + technique.name + ".glsl", technique.shader);
+    }
     return library_.revision();
 }
 

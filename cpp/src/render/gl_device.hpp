@@ -65,6 +65,7 @@ class GlDevice : public Device {
 
     std::shared_ptr<gl::Context> context_;
     gl::ShaderLibrary library_;
+    Revision registered_revision_ = 0;  // of the techniques whose shaders it knows
     GpuShapes shapes_;
     PrimitiveOrders orders_;
     std::map<std::string, Image> images_;  // by the resource's name

@@ -51,11 +51,14 @@ LookUp Technique::look_up(const ShadowInputs& inputs, Reads reads,
 std::vector<std::string> technique_names() {
     std::vector<std::string> names;
     for (const RegistryRow& row : registry_rows()) names.emplace_back(row.name);
+    for (const RegisteredTechnique& row : registered_techniques()) names.push_back(row.name);
     return names;
 }
 
 std::unique_ptr<Technique> make_technique(std::string_view name) {
     for (const RegistryRow& row : registry_rows())
+        if (row.name == name) return row.make();
+    for (const RegisteredTechnique& row : registered_techniques())
         if (row.name == name) return row.make();
     const std::vector<std::string> names = technique_names();
     const std::string list = std::accumulate(

@@ -39,6 +39,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Runs a command line, by default this process's, and returns its exit code."""
     try:
         parsed = _parser().parse_args(_joined(sys.argv[1:] if arguments is None else arguments))
+        for plugin in getattr(parsed, "plugin", []):
+            po.load_plugin(plugin)
         with _warnings_of_files():
             return int(parsed.run(parsed))
     except KeyboardInterrupt:

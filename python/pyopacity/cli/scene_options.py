@@ -38,7 +38,8 @@ def add_light_and_view(add: Any) -> None:
 
 
 def add_parameters(add: Any) -> None:
-    """Parameters of a technique."""
+    """Parameters of a technique, and plugins that bring it."""
+    text.add_plugins(add)
     add(
         "--param",
         action="append",

@@ -10,7 +10,7 @@ from pyopacity.cli import text
 def add_to(commands: Any) -> None:
     """The command's options."""
     summary = "list the shadow methods and their parameters: type, range, default"
-    text.add_command(commands, "techniques", run, summary)
+    text.add_plugins(text.add_command(commands, "techniques", run, summary).add_argument)
 
 
 def run(arguments: argparse.Namespace) -> int:

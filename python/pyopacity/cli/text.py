@@ -30,6 +30,17 @@ def add_command(
     return parser
 
 
+def add_plugins(add: Any) -> None:
+    """Plugins, which are loaded before the command runs."""
+    add(
+        "--plugin",
+        action="append",
+        default=[],
+        metavar="PATH",
+        help="a shared library with techniques of its own; again for more (docs/plugins.md)",
+    )
+
+
 def numbers(option: str, text: str, counts: tuple[int, ...], example: str) -> tuple[float, ...]:
     """Numbers with commas between them, as many as one of ``counts``."""
     try:

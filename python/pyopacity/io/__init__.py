@@ -2,8 +2,7 @@
 
 import os
 
-from pyopacity import _log, _native
-from pyopacity.errors import ParameterError
+from pyopacity import _arrays, _log, _native
 from pyopacity.shapes import Shape, wrap
 
 __all__ = ["load"]
@@ -40,9 +39,6 @@ def load(path: str | os.PathLike[str]) -> list[Shape]:
             that is not read. Memory never grows far beyond the size of the file and its pictures.
         ParameterError: a demo or an option that does not exist.
     """
-    name = os.fsencode(path)
-    if b"\0" in name:
-        raise ParameterError(f"the path {path!r} holds a zero byte", "pass the path of a file")
-    shapes, messages = _native.load(name)
+    shapes, messages = _native.load(_arrays.path(path))
     _log.pass_on(messages, "pyopacity.io")
     return [wrap(native) for native in shapes]
