@@ -17,6 +17,7 @@ import logging
 from pyopacity import _native, metrics
 from pyopacity.bounds import Bounds
 from pyopacity.camera import Camera
+from pyopacity.described import CasterPass, Choice, Param, TexelPass, Texture, register_technique
 from pyopacity.errors import (
     ContextError,
     DeviceLostError,
@@ -58,6 +59,8 @@ __all__ = [
     "AreaLight",
     "Bounds",
     "Camera",
+    "CasterPass",
+    "Choice",
     "ContextError",
     "DeviceLostError",
     "DirectionalLight",
@@ -67,6 +70,7 @@ __all__ = [
     "Light",
     "Mesh",
     "OutOfMemoryError",
+    "Param",
     "Parameter",
     "ParameterError",
     "Particles",
@@ -84,11 +88,14 @@ __all__ = [
     "Strands",
     "Technique",
     "TechniqueInfo",
+    "TexelPass",
+    "Texture",
     "UnknownNameError",
     "Volume",
     "load",
     "load_plugin",
     "metrics",
+    "register_technique",
     "save_image",
     "technique",
     "techniques",

@@ -73,6 +73,11 @@ def _class_of(name: str) -> type[Technique]:
     return add_parameters(type(title, (Technique,), members), native.parameters())
 
 
+def forget_classes() -> None:
+    """A name may mean another technique now, with other parameters."""
+    _class_of.cache_clear()
+
+
 def technique(name: str, **parameters: Any) -> Technique:
     """A technique by name: ``technique("bounding_opacity_maps", layers=8)``.
 

@@ -35,3 +35,26 @@ TEST_CASE("Plugin: a file that is none is an error, and not that of the search i
     CHECK_THROWS_AS(load_plugin(OPACITY_SOURCE_DIR), PluginError);
     CHECK_THROWS_AS(load_plugin(OPACITY_SOURCE_DIR "/README.md"), PluginError);
 }
+
+TEST_CASE("Description: what is wrong with it is said with its name, before the registry changes") {
+    const std::vector<std::string> before = technique_names();
+    TechniqueDescription description{.name = "described",
+                                     .summary = "A sum.",
+                                     .paper = "none",
+                                     .shader = "PASS_total shadow_transmittance",
+                                     .textures = {{.name = "total", .format = "rgba33f"}},
+                                     .passes = {{.name = "total", .writes = {"total"}}},
+                                     .look_up = {"total"}};
+    try {
+        register_technique(description);
+        FAIL("the format does not exist");
+    } catch (const ParameterError& error) {
+        CHECK(error.problem() ==
+              "described: texture \"total\": format = \"rgba33f\" does not exist");
+        CHECK(error.fix().find("did you mean \"rgba32f\"") != std::string::npos);
+    }
+    description.name = "exact";
+    description.textures.front().format = "rgba32f";
+    CHECK_THROWS_AS(register_technique(description), ParameterError);
+    CHECK(technique_names() == before);
+}

@@ -23,6 +23,16 @@ def block(guide: Path, language: str) -> str:
     return content
 
 
+def first_hit_shader() -> str:
+    return files(ADD_A_TECHNIQUE)["cpp/shaders/techniques/first_hit.glsl"]
+
+
+def register_four_layers() -> None:
+    """Runs the example of docs/plugins.md up to its scene."""
+    example = block(PLUGINS, "python").partition("scene =")[0]
+    exec(compile(example, str(PLUGINS), "exec"), {})
+
+
 def run(*command: object, **environment: str) -> str:
     result = subprocess.run(
         [str(part) for part in command],

@@ -63,7 +63,7 @@ target_link_libraries(by_hand PRIVATE opacity::opacity)
 """
 
 
-@pytest.fixture(params=["registering/plugin.py"])
+@pytest.fixture(params=["registering/plugin.py", "registering/described.py"])
 def tests_apart(request: pytest.FixtureRequest) -> str:
     return str(HERE / request.param)
 
@@ -180,3 +180,14 @@ def test_a_path_that_is_none_is_refused(path: object) -> None:
 def test_the_command_line_says_so_in_a_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["techniques", "--plugin", "absent.so"]) == 2
     assert capsys.readouterr().err.startswith("pyopacity: there is no file absent.so; fix: ")
+
+
+# Four layers of even depth end before the last sheet of the ladder.
+GENERIC = "four_layers and not ladder"
+
+
+@pytest.mark.slow
+def test_a_described_technique_passes_the_tests_of_all(needs_gl: None) -> None:
+    tests = [str(HERE / f"test_{name}.py") for name in ("techniques", "api_technique")]
+    printed = pytest_apart("-p", "registering.four_layers", *tests, "-k", GENERIC)
+    assert int(printed.rpartition(" passed")[0].split()[-1]) >= 8

@@ -20,6 +20,7 @@ WITHOUT_OPENGL = ["core", "scene", "io", "rays", "map", "graph", "techniques"]
 ROOM_OF_HEADER = {
     "trace.hpp": "rays",
     "technique.hpp": "techniques",
+    "technique_description.hpp": "techniques",
     "plugin.hpp": "techniques",
     "renderer.hpp": "render",
     "opacity.hpp": "demo",
@@ -133,7 +134,7 @@ def test_the_registry_names_every_technique_once() -> None:
     shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "histogram"}
     shared |= {"split_search", "smoothing", "packed_lists", "fragment_lists"}
     shared |= {"depth_bounds", "own_corrected", "clusters_on_cpu"}
-    shared |= {"plugin"}
+    shared |= {"plugin", "scripted_technique", "description_check", "description_words"}
     for place, suffix in (
         (folder, ".hpp"),
         (folder, ".cpp"),

@@ -25,6 +25,7 @@
 // shadows
 #include "opacity/plugin.hpp"
 #include "opacity/technique.hpp"
+#include "opacity/technique_description.hpp"
 // pictures
 #include "opacity/gl/context.hpp"
 #include "opacity/renderer.hpp"

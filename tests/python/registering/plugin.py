@@ -81,3 +81,16 @@ def test_on_the_cpu_it_says_that_it_has_no_such_form() -> None:
     with pytest.raises(po.ParameterError, match="runs on a GPU only") as error:
         po.transmittance(two_sheets(), POINTS, technique="first_hit")
     assert "first_hit/" in error.value.what and "another technique" in error.value.fix
+
+
+def test_its_name_is_taken() -> None:
+    with pytest.raises(po.ParameterError, match='"first_hit", registered by a plugin'):
+        po.register_technique(
+            "first_hit",
+            summary="Another.",
+            paper="none",
+            shader="float shadow_transmittance(Receiver receiver) { return 1.0; }",
+            passes=[],
+            textures=[],
+            look_up=[],
+        )
