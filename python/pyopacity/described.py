@@ -207,7 +207,9 @@ def register_technique(
     Raises:
         ParameterError: that names the field: a texture that no pass writes, a read of a name that
             is not known, a format that does not exist, a name that belongs to the engine or to a
-            plugin, and so on. What the compiler of GLSL finds is a ShaderError of the first frame.
+            plugin, and so on.
+        ShaderError: a file of the engine that does not exist, with the nearest name. What the
+            compiler of GLSL finds is one too, of the first frame.
     """
     description = _Description(
         name,

@@ -41,7 +41,7 @@ TEST_CASE("Description: what is wrong with it is said with its name, before the 
     TechniqueDescription description{.name = "described",
                                      .summary = "A sum.",
                                      .paper = "none",
-                                     .shader = "PASS_total shadow_transmittance",
+                                     .shader = "// PASS_total shadow_transmittance",
                                      .textures = {{.name = "total", .format = "rgba33f"}},
                                      .passes = {{.name = "total", .writes = {"total"}}},
                                      .look_up = {"total"}};

@@ -1,5 +1,6 @@
 """Descriptions of techniques that are refused: the error names the field, the registry stays."""
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -114,6 +115,29 @@ def test_a_wrong_description_is_refused(changes: dict[str, Any], named: str) -> 
         po.register_technique("mine", **{**RIGHT, **changes})
     assert named in str(error.value)
     assert error.value.what and error.value.fix
+    assert list(po.techniques()) == before
+
+
+@pytest.mark.parametrize(
+    ("changes", "named"),
+    [
+        (
+            {"shader": SHADER.replace("lookup", "look_up")},
+            'techniques/mine.glsl:5: there is no shader "lib/look_up.glsl"',
+        ),
+        (
+            {"passes": [replace(FIRST, fragment="bound.frag.glsl"), SUM]},
+            'there is no shader "bound.frag.glsl"',
+        ),
+    ],
+)
+def test_a_file_that_the_engine_does_not_have_is_refused(
+    changes: dict[str, Any], named: str
+) -> None:
+    before = list(po.techniques())
+    with pytest.raises(po.ShaderError) as error:
+        po.register_technique("mine", **{**RIGHT, **changes})
+    assert named in error.value.what and "did you mean" in error.value.fix
     assert list(po.techniques()) == before
 
 

@@ -54,8 +54,8 @@ struct TechniqueDescription {
 // Registers it under its name, in the place of what was described under the same one.
 // ParameterError that names the field: a name that is no word, or is not known where it is read; a
 // texture that no pass writes; a format, a test or a range that does not exist; a name that belongs
-// to the engine or to a plugin. What the shader's compiler finds is a ShaderError of the first
-// frame.
+// to the engine or to a plugin. ShaderError for an #include that does not exist; what a compiler
+// finds is one of the first frame.
 void register_technique(TechniqueDescription description);
 
 }  // namespace opacity

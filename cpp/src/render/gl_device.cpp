@@ -56,7 +56,7 @@ Revision GlDevice::shader_revision() {
     if (registered_revision_ != registered_revision()) {
         registered_revision_ = registered_revision();
         for (const RegisteredTechnique& technique : registered_techniques())
-            library_.add("techniques/" + technique.name + ".glsl", technique.shader);
+            library_.add(technique.shader_path(), technique.shader);
     }
     return library_.revision();
 }

@@ -62,7 +62,8 @@ void ProgramFeeder::require_complete(const Pass& pass) const {
     if (missing.empty()) return;
     throw ShaderError(
         "pass \"" + pass.name + "\" uses " + missing + ", which no declared read feeds",
-        "add the sources that feed them to .reads (or .stores) of the pass");
+        "add the sources that feed them to .reads (or .stores) of the pass, or to what the look-up "
+        "reads");
 }
 
 }  // namespace opacity::render

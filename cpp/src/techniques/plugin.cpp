@@ -61,11 +61,10 @@ void check(const Plugin* plugin, const std::string& file) {
 std::unique_ptr<Technique> make_checked(const PluginTechnique& description,
                                         const std::string& file) {
     std::unique_ptr<Technique> technique = description.make();
+    if (technique && technique->name() == description.name) return technique;
     const std::string made = technique ? "\"" + technique->name() + "\"" : "nothing";
-    if (made != "\"" + std::string{description.name} + "\"")
-        throw PluginError(file + " makes " + made + " for the name \"" + description.name + "\"",
-                          "give Technique's constructor the name that OPACITY_PLUGIN has");
-    return technique;
+    throw PluginError(file + " makes " + made + " for the name \"" + description.name + "\"",
+                      "give Technique's constructor the name that OPACITY_PLUGIN has");
 }
 
 }  // namespace

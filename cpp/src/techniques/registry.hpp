@@ -22,8 +22,10 @@ struct RegistryRow {
 std::span<const RegistryRow> registry_rows();
 
 struct RegisteredTechnique {
+    std::string shader_path() const { return "techniques/" + name + ".glsl"; }
+
     std::string name;
-    std::string shader;                                // the text of techniques/<name>.glsl
+    std::string shader;                                // the text of it
     std::function<std::unique_ptr<Technique>()> make;  // called only when it is asked for
     bool replaceable = false;                          // by another one that is
 };

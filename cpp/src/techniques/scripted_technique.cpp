@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <map>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "opacity/core/error.hpp"
 #include "techniques/description_words.hpp"
-#include "techniques/registry.hpp"
 
 namespace opacity::techniques {
 namespace {
@@ -119,24 +117,3 @@ LookUp ScriptedTechnique::build(FrameGraph& graph, const ShadowInputs& inputs) {
 }
 
 }  // namespace opacity::techniques
-
-namespace opacity {
-
-void register_technique(TechniqueDescription description) {
-    using namespace techniques;
-    check(description);
-    static std::mutex mutex;
-    static std::map<std::string, std::shared_ptr<Script>> current;
-    const auto script = std::make_shared<Script>(std::move(description));
-    const std::string name = script->description.name;
-    const std::lock_guard lock{mutex};
-    register_techniques({{.name = name,
-                          .shader = script->description.shader,
-                          .make = [script] { return std::make_unique<ScriptedTechnique>(script); },
-                          .replaceable = true}});
-    std::shared_ptr<Script>& place = current[name];
-    if (place) place->is_replaced = true;
-    place = script;
-}
-
-}  // namespace opacity

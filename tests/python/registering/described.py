@@ -191,7 +191,6 @@ def test_what_does_not_register_leaves_the_old_one() -> None:
     ("old", "new", "what"),
     [
         ("u_strength *", "u_strenght *", r"techniques/wrong\.glsl:\d+"),
-        ("lib/lookup.glsl", "lib/look_up.glsl", "there is no shader"),
         ("u_strength", "u_strong", "uses u_strong, which no declared read feeds"),
     ],
 )
