@@ -199,9 +199,9 @@ TEST_CASE("the layer of a position, and what is counted of it, are the same in G
     if (!context) return;
     Evaluator evaluator{context,
                         {"#include \"lib/planes.glsl\"\n", 5, 3,
-                         "result(0) = float(layer_of(given(0)));\n"
-                         "result(1) = counted(given(0), given(1), int(given(2)), given(3));\n"
-                         "result(2) = counted_at(int(given(4)), given(0), given(1));"}};
+                         "result(0) = float(layer_of(0, given(0)));\n"
+                         "result(1) = counted(0, given(0), given(1), int(given(2)), given(3));\n"
+                         "result(2) = counted_at(0, int(given(4)), given(0), given(1));"}};
     Random random;
     for (int layers = 1; layers <= 64; ++layers) {
         CAPTURE(layers);

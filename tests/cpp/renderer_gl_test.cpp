@@ -216,7 +216,7 @@ TEST_CASE("a shader broken on disk is an error with its place, until it is repai
     const std::pair<const char*, const char*> places[] = {
         {"lighting/surface.frag.glsl", "vec3 to_eye"},
         {"lib/shading.glsl", "float facing"},
-        {"lib/layers.glsl", "int layer = layer_of(first)"}};
+        {"lib/layers.glsl", "int layer = layer_of(layers.curve, first)"}};
     for (const auto& [file, text] : places) {
         const std::string original = shaders.text(file);
         const int line = shaders.replace(file, text, std::string{"no_glsl "} + text);

@@ -132,7 +132,7 @@ def test_the_registry_names_every_technique_once() -> None:
     registered = re.findall(r"^opacity_add_technique\((\w+)( DELEGATES)?\)", lines, re.MULTILINE)
     assert [name for name, _ in registered] == list(po.techniques())
     shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "histogram"}
-    shared |= {"split_search", "smoothing", "packed_lists", "fragment_lists"}
+    shared |= {"split_search", "local_splits", "smoothing", "packed_lists", "fragment_lists"}
     shared |= {"depth_bounds", "own_corrected", "clusters_on_cpu"}
     shared |= {"plugin", "scripted_technique", "description_check", "description_words"}
     for place, suffix in (

@@ -1,11 +1,13 @@
 // Opacity layers: in each texel K planes, with the optical depth in front of each. Here are the pass
 // that deposits casters at them, and the look-up. Include it after a technique has said where a texel
 // lays its planes, as lib/layer_span.glsl does for layers between two depths:
-//     struct TexelLayers, with the start and the end of a texel's layers in light space
-//     float position(TexelLayers layers, float depth), among u_planes
+//     struct TexelLayers, with the start and the end of a texel's layers in light space, and the curve
+//     of their planes
+//     float position(TexelLayers layers, float depth), among these planes
 //     TexelLayers texel_layers(ivec2 texel)
 // C++: techniques/layers_on_cpu.cpp.
 #include "lib/interval.glsl"
+#include "lib/layer_held.glsl"
 #include "lib/layer_map.glsl"
 #include "lib/planes.glsl"
 
@@ -39,19 +41,19 @@ void main() {
     TexelLayers layers = texel_layers(texel);
     float optical_depth = deposit.optical_depth * counted_part(layers, deposit.depth, deposit.depth_end);
     float first = position(layers, deposit.depth), last = position(layers, deposit.depth_end);
-    int layer = layer_of(first);
+    int layer = layer_of(layers.curve, first);
     for (int target = 0; target < TARGETS; ++target) {
-        ivec4 plane = planes_of(FIRST_TARGET + target);
-        vec4 part = vec4(greaterThan(plane, ivec4(layer)));
+        ivec4 planes = planes_of(FIRST_TARGET + target);
+        vec4 part = vec4(greaterThan(planes, ivec4(layer)));
         if (last > first)
-            for (int i = 0; i < 4; ++i) part[i] = counted_at(plane[i], first, last);
+            for (int i = 0; i < 4; ++i) part[i] = counted_at(layers.curve, planes[i], first, last);
         vec4 value = stored(optical_depth * part);
 #ifdef PACKED
         if (FIRST_TARGET + target == 0) value.a = layers.start;  // of equals the largest remains
 #endif
         o_planes[target] = value;
 #ifdef MEAN_DEPTHS
-        for (int i = 0; i < 4; ++i) part[i] *= mean_in_front(plane[i], first, last);
+        for (int i = 0; i < 4; ++i) part[i] *= mean_in_front(layers.curve, planes[i], first, last);
         o_moments[target] = optical_depth * part;
 #endif
     }
@@ -65,43 +67,33 @@ void main() {
 
 // Between planes `layer` and layer + 1, through their neighbours. The receiver's own part is taken out
 // of all four planes first.
-float between_planes(ivec2 texel, int layer, float x, vec3 own) {
+float between_planes(ivec2 texel, int curve, int layer, float x, vec3 own) {
     vec4 places, values;
     for (int i = 0; i < 4; ++i) {
         int k = clamp(layer + i - 1, 0, u_layers);
-        places[i] = u_planes[k] + float(layer + i - 1 - k);  // outside, all stays as it is
-        values[i] = plane_optical_depth(texel, k) - own.z * counted_at(k, own.x, own.y);
+        places[i] = plane(curve, k) + float(layer + i - 1 - k);  // outside, all stays as it is
+        values[i] = plane_optical_depth(texel, k) - own.z * counted_at(curve, k, own.x, own.y);
     }
     return monotone_cubic(places, values, x);
 }
 #elif defined(MEAN_DEPTHS)
-// Optical depth grows evenly about the mean depth of what the layer holds, as far as its nearer plane.
-// Of FEW_CASTERS: the mean of T if it is that of two, each anywhere there.
-float between_planes(ivec2 texel, int layer, float x, vec3 own) {
+float between_planes(ivec2 texel, int curve, int layer, float x, vec3 own) {
     vec2 sums[2];  // optical depth, and times position, in front of either plane
     for (int i = 0; i < 2; ++i) {
         int k = layer + i;
-        float own_part = own.z * counted_at(k, own.x, own.y);
+        float own_part = own.z * counted_at(curve, k, own.x, own.y);
         sums[i] = vec2(plane_optical_depth(texel, k) - own_part,
-                       plane_moment(texel, k) - own_part * mean_in_front(k, own.x, own.y));
+                       plane_moment(texel, k) - own_part * mean_in_front(curve, k, own.x, own.y));
     }
     vec2 held = sums[1] - sums[0];
-    if (!(held.x > 0.0)) return sums[0].x;
-    float low = u_planes[layer], high = u_planes[layer + 1];
-    float mean = clamp(held.y / held.x, low, high), reach = min(mean - low, high - mean);
-    float met = part_in_front(mean - reach, mean + reach, x);
-#ifdef FEW_CASTERS
-    return sums[0].x + 2.0 * optical_depth_of(met * opacity_of(0.5 * held.x));
-#else
-    return sums[0].x + met * held.x;
-#endif
+    return sums[0].x + held_in_front(held, plane(curve, layer), plane(curve, layer + 1), x);
 }
 #else
 // Optical depth grows evenly from one plane to the next.
-float between_planes(ivec2 texel, int layer, float x, vec3 own) {
-    float along = (x - u_planes[layer]) / (u_planes[layer + 1] - u_planes[layer]);
+float between_planes(ivec2 texel, int curve, int layer, float x, vec3 own) {
+    float low = plane(curve, layer), along = (x - low) / (plane(curve, layer + 1) - low);
     float before = plane_optical_depth(texel, layer), behind = plane_optical_depth(texel, layer + 1);
-    return mix(before, behind, along) - own.z * counted(own.x, own.y, layer, along);
+    return mix(before, behind, along) - own.z * counted(curve, own.x, own.y, layer, along);
 }
 #endif
 
@@ -110,7 +102,7 @@ float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
     if (!(depth > layers.start)) return 0.0;
     own.optical_depth *= counted_part(layers, own.depth, own.depth_end);
     float x = position(layers, depth);
-    int layer = layer_of(x);
+    int layer = layer_of(layers.curve, x);
     float in_front = own_in_front(own, depth);
     if (in_front > 0.0) in_front = min(in_front, plane_optical_depth(texel, layer + 1));
     if (depth >= layers.end) {
@@ -122,7 +114,7 @@ float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
 #endif
     }
     vec3 own_part = vec3(position(layers, own.depth), position(layers, own.depth_end), own.optical_depth);
-    return between_planes(texel, layer, x, own_part) + in_front;
+    return between_planes(texel, layers.curve, layer, x, own_part) + in_front;
 }
 
 #include "lib/lookup.glsl"

@@ -14,7 +14,7 @@ float first_depth(ivec2 texel) { return texelFetch(t_start, texel, 0).x; }
 // z0 and z0 + d_K.
 TexelLayers texel_layers(ivec2 texel) {
     float first = first_depth(texel);
-    return TexelLayers(first, first + u_layers_depth);
+    return TexelLayers(first, first + u_layers_depth, 0);
 }
 
 #include "lib/layers.glsl"

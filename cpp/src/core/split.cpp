@@ -27,4 +27,13 @@ std::vector<float> layer_planes(int layers, double ratio) {
     return planes;
 }
 
+std::vector<float> trial_planes(int layers) {
+    std::vector<float> all;
+    for (std::size_t trial = 0; trial < split_trials; ++trial) {
+        const std::vector<float> planes = layer_planes(layers, trial_ratio(trial));
+        all.insert(all.end(), planes.begin(), planes.end());
+    }
+    return all;
+}
+
 }  // namespace opacity

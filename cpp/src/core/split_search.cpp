@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "opacity/core/correlation.hpp"
-#include "opacity/core/split.hpp"
 #include "opacity/core/split_error.hpp"
 
 namespace opacity {

@@ -7,6 +7,7 @@
 #include "opacity/core/split.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "techniques/histogram.hpp"
+#include "techniques/local_splits.hpp"
 
 namespace opacity::techniques {
 
@@ -16,22 +17,29 @@ LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs)
     const Interpolation between = between_planes(inputs);
     const SplitSearch search{layers,        similarity,      bias,   own_correction,
                              interpolation, search_request_, between};
-    const bool searches = split.is("auto") && layers.get() > 1;
+    const auto histogram = [&](bool in_all_texels = false) -> DrawnLayers {
+        return add_histogram(graph, inputs, span, fine_ratio, in_all_texels);
+    };
+    LocalCurves curves;
     std::optional<SplitSearch::Trials> trials;
-    if (!searches)
+    if (layers.get() == 1 || !is_searched()) {
         planes.set(layer_planes(layers.get(), fixed_ratio()));
-    else if (search_frames.get() == 1)
-        search.add_at_once(graph, inputs, add_histogram(graph, inputs, span, fine_ratio), planes);
-    else
+    } else if (!split.is("auto")) {
+        planes.set(trial_planes(layers.get()));
+        curves = add_local_splits(graph, inputs, search, histogram(true), planes, region_px());
+    } else if (search_frames.get() == 1) {
+        search.add_at_once(graph, inputs, histogram(), planes);
+    } else {
         trials.emplace(search.begin_trial(graph, inputs, planes));
+    }
     const DrawnLayers drawn =
-        add_layers(graph, inputs, span, planes, {.mean_depths = between != Interpolation::linear});
+        add_layers(graph, inputs, span, planes,
+                   {.mean_depths = between != Interpolation::linear, .curves = curves});
     Reads more;
     if (trials) {
         const bool rebuilds = similarity.is("error");
         more.push_back(
-            &search.add_trial(graph, inputs, *trials, drawn,
-                              rebuilds ? add_histogram(graph, inputs, span, fine_ratio) : drawn));
+            &search.add_trial(graph, inputs, *trials, drawn, rebuilds ? histogram() : drawn));
     }
     return layers_look_up(inputs, drawn, between, std::move(more));
 }
@@ -48,6 +56,14 @@ Interpolation BoundingOpacityMaps::between_planes(const ShadowInputs& inputs) co
     return std::ranges::any_of(inputs.translucent.shapes(), is_surface)
                ? Interpolation::mean_depth_of_few
                : Interpolation::mean_depth;
+}
+
+bool BoundingOpacityMaps::is_searched() const {
+    return split.is("auto") || split.is("per_texel") || split.is("per_region");
+}
+
+int BoundingOpacityMaps::region_px() const {
+    return split.is("per_region") ? region_side_px : 1;
 }
 
 // One layer has no plane to place.

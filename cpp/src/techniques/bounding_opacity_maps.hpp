@@ -5,17 +5,21 @@
 // planes are laid between the bounds of that texel, so layers follow the shape of the casters on
 // both sides, and each plane holds the optical depth in front of it. The planes may be evenly
 // spaced, dense near the light (logarithmic), or a mix whose ratio is found by reading layers back
-// to the CPU: eleven ratios from one fine histogram, or one ratio a frame, as in the thesis. Beyond
-// the thesis, each layer keeps the mean depth of what it holds (docs/accuracy.md, "The look-up").
+// to the CPU: eleven ratios from one fine histogram, or one ratio a frame, as in the thesis. Its
+// section 7 leaves to later work a ratio for each texel, or each region of them: here two compute
+// passes find it in the same frame, from a fine histogram of every texel, without a read-back.
+// Beyond the thesis, each layer keeps the mean depth of what it holds (docs/accuracy.md, "The
+// look-up").
 //
 // Cost: 2 depth passes and ceil(K / 16) blended passes into two arrays of ceil(K / 4) RGBA32F
 // layers; 8 + 32 ceil(K / 4) bytes a texel. With linear interpolation ceil(K / 32) passes into one.
 // The search, when the casters, their opacity or the light changed: 2 more passes and one
-// read-back, or a read-back in each of eleven frames. Look-up: 4 texels, 2 bounds and 2 planes
-// each, whatever K is.
+// read-back, or a read-back in each of eleven frames; of per_texel and per_region, when these
+// moved, 4 more passes, and 308 bytes a texel (at 512^2). Look-up: 4 texels, 2
+// bounds and 2 planes each, whatever K is.
 //
-// Fails: two clusters far apart in one texel (most planes lie in the gap); one split curve for the
-// whole map.
+// Fails: two clusters far apart in one texel (most planes lie in the gap); sparse and dense casters
+// in one map, unless each texel has its own split.
 #pragma once
 
 #include <string_view>
@@ -40,8 +44,9 @@ class BoundingOpacityMaps : public Layered {
 
     Choice split{*this,
                  "split",
-                 {"auto", "linear", "logarithmic", "hybrid"},
-                 "How the planes are spaced: auto searches the ratio, hybrid takes split_ratio."};
+                 {"auto", "linear", "logarithmic", "hybrid", "per_texel", "per_region"},
+                 "How the planes are spaced: auto searches the ratio, hybrid takes split_ratio; "
+                 "per_texel searches one in each texel, and per_region in each square of 8."};
     Param<double> split_ratio{*this,
                               "split_ratio",
                               0.5,
@@ -70,7 +75,11 @@ class BoundingOpacityMaps : public Layered {
                          "rule."};
 
    private:
+    static constexpr int region_side_px = 8;
+
+    bool is_searched() const;
     double fixed_ratio() const;
+    int region_px() const;
     Interpolation between_planes(const ShadowInputs& inputs) const;
 
     UniformSet search_request_{"needs_recompute"};

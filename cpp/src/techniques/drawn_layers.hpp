@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "opacity/core/split.hpp"
 #include "opacity/graph/frame_graph.hpp"
 
 namespace opacity::techniques {
@@ -28,13 +29,22 @@ struct LayerSpan {
     Value<float>* depth = nullptr;  // none: 1
 };
 
+// Which of several split curves spaces the planes of a texel: in each square of the map the one of
+// its split ratio, among evenly spaced ones; GLSL: techniques/bounding_opacity_maps.glsl.
+struct LocalCurves {
+    Texture* ratios = nullptr;  // none: one curve for all
+    int region_px = 1;
+
+    int count() const { return ratios ? split_trials : 1; }
+};
+
 // How a look-up goes from one plane to the next: by a line, by a monotone cubic through four
 // planes, or about the mean depth of what the layer holds, many casters or few. GLSL:
 // lib/layers.glsl.
 enum class Interpolation { linear, cubic, mean_depth, mean_depth_of_few };
 
 // Planes of [0, 1], from the start of a texel's layers to their end, in an array texture of
-// cumulative optical depth.
+// cumulative optical depth. Those of each curve, one after the other.
 struct DrawnLayers {
     Texture& map;
     Value<std::vector<float>>& planes;
@@ -44,6 +54,9 @@ struct DrawnLayers {
     bool is_packed = false;
     bool ignores_beyond = false;  // what lies behind the last layer casts nothing
     bool is_swept = false;        // the map holds four planes at a time
+    LocalCurves curves = {};
+
+    int layer_count() const { return int(planes.get().size()) / curves.count() - 1; }
 
     // The optical depth that a 1 in the map means.
     float unit() const { return kappa ? kappa->get() : 1.f; }
@@ -53,8 +66,8 @@ struct DrawnLayers {
     }
     void add_to(Reads& reads) const {
         reads.push_back(&planes);
-        for (const Source* source :
-             std::initializer_list<const Source*>{span.start, span.end, span.depth, kappa})
+        for (const Source* source : std::initializer_list<const Source*>{
+                 span.start, span.end, span.depth, kappa, curves.ratios})
             if (source) reads.push_back(source);
     }
 };

@@ -22,7 +22,7 @@ struct ReadBack {
         if (layers.moments) moment_targets = context.read<float>(*layers.moments);
     }
 
-    int layers() const { return int(drawn.planes.get().size()) - 1; }
+    int layers() const { return drawn.layer_count(); }
     std::size_t texel_count() const {
         return std::size_t(drawn.map.desc().width) * drawn.map.desc().height;
     }

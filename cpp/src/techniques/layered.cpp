@@ -19,6 +19,10 @@ Defines layer_defines(const DrawnLayers& drawn) {
     if (drawn.moments) defines.emplace_back("MEAN_DEPTHS", "1");
     if (drawn.span.end) defines.emplace_back("ENDS_AT_LAST_CASTER", "1");
     if (drawn.ignores_beyond) defines.emplace_back("BEYOND_ignore", "1");
+    if (drawn.curves.ratios) {
+        defines.emplace_back("CURVES", std::to_string(drawn.curves.count()));
+        defines.emplace_back("REGION_PX", std::to_string(drawn.curves.region_px));
+    }
     if (drawn.kappa) defines.emplace_back("ACCUMULATOR_unorm8", "1");
     // Few sizes, so that few programs are made.
     const int planes = planes_per_target * drawn.map.desc().layers;
@@ -49,6 +53,7 @@ DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
                       nullptr,
                       options.packed,
                       options.ignores_beyond};
+    drawn.curves = options.curves;
     if (options.mean_depths)
         drawn.moments = &graph.texture("moments", inputs.map(Format::rgba32f, targets));
     if (format == Format::rgba8) {
@@ -60,7 +65,8 @@ DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
 }
 
 DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
-                                   const LayerSpan& span, double split_ratio) const {
+                                   const LayerSpan& span, double split_ratio,
+                                   bool in_all_texels) const {
     const int count = fine_layer_count(inputs.space.width_px());
     auto& fine_layers = graph.value("fine/layers", 0);
     auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
@@ -68,7 +74,8 @@ DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs
     fine_planes.set(layer_planes(count, split_ratio));
     const TextureDesc desc = inputs.map(Format::rgba32f, count / planes_per_target);
     const DrawnLayers drawn{graph.texture("histogram", desc), fine_planes, span};
-    add_passes(graph, inputs, drawn, fine_layers, block_stride(inputs.space.width_px()));
+    add_passes(graph, inputs, drawn, fine_layers,
+               in_all_texels ? 1 : block_stride(inputs.space.width_px()));
     return drawn;
 }
 

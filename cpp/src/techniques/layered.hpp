@@ -31,15 +31,16 @@ class Layered : public OwnCorrected {
     struct Options {
         double kappa = full_8_bits;
         bool packed = false, ignores_beyond = false, mean_depths = false;
+        LocalCurves curves = {};
     };
     static const double full_8_bits;  // exp(-kappa) = 2^-8
 
     // Passes that draw the layers into the array texture "opacity".
     DrawnLayers add_layers(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
                            Planes& planes, const Options& options) const;
-    // The same of fine layers, in a part of the texels; at the planes of this split ratio.
+    // The same of fine layers, in all texels or a part of them; at the planes of this split ratio.
     DrawnLayers add_histogram(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
-                              double split_ratio) const;
+                              double split_ratio, bool in_all_texels = false) const;
     LookUp layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn,
                           Interpolation interpolation = Interpolation::linear,
                           Reads more = {}) const;

@@ -5,6 +5,7 @@
 #include "core/opacity.hpp"
 #include "map/depth_bits.hpp"
 #include "map/fragments.hpp"
+#include "map/layer_held.hpp"
 #include "map/monotone_cubic.hpp"
 #include "map/planes.hpp"
 
@@ -15,16 +16,27 @@ namespace {
 class LayerPlanes {
    public:
     LayerPlanes(PassContext& context, const DrawnLayers& drawn)
-        : planes{drawn.planes.get()}, ignores_beyond_{drawn.ignores_beyond} {
+        : planes_{drawn.planes.get()},
+          last_plane_{drawn.layer_count()},
+          width_px_{std::size_t(drawn.map.desc().width)},
+          region_px_{std::size_t(drawn.curves.region_px)},
+          ignores_beyond_{drawn.ignores_beyond} {
         const LayerSpan& span = drawn.span;
         if (span.start) start_ = context.memory<float>(*span.start);
         if (span.end) end_ = context.memory<float>(*span.end);
         if (span.depth) depth_ = span.depth->get();
+        if (!drawn.curves.ratios) return;
+        ratios_ = context.memory<float>(*drawn.curves.ratios);
+        regions_across_ = std::size_t(drawn.curves.ratios->desc().width);
     }
-    const std::span<const float> planes;
 
+    // On [0, 1].
+    std::span<const float> of(std::size_t texel) const {
+        return planes_.subspan(curve_of(texel) * std::size_t(last_plane_ + 1),
+                               std::size_t(last_plane_ + 1));
+    }
     bool ends_at_last_caster() const { return !end_.empty(); }
-    int last_plane() const { return int(planes.size()) - 1; }
+    int last_plane() const { return last_plane_; }
     float start(std::size_t texel) const { return start_.empty() ? 0.f : start_[texel]; }
     float end(std::size_t texel) const {
         return end_.empty() ? start(texel) + depth_ : end_[texel];
@@ -39,7 +51,16 @@ class LayerPlanes {
     }
 
    private:
-    std::span<const float> start_, end_;
+    std::size_t curve_of(std::size_t texel) const {
+        if (ratios_.empty()) return 0;
+        const std::size_t x = texel % width_px_ / region_px_, y = texel / width_px_ / region_px_;
+        return std::size_t(float(split_trials - 1) * ratios_[y * regions_across_ + x] + 0.5f);
+    }
+
+    std::span<const float> planes_;
+    int last_plane_;
+    std::size_t width_px_, region_px_, regions_across_ = 0;
+    std::span<const float> start_, end_, ratios_;
     float depth_ = 1.f;
     bool ignores_beyond_;
 };
@@ -104,15 +125,16 @@ class LayerSums {
         const std::size_t texel = fragment.texel;
         const float optical_depth = fragment.optical_depth *
                                     planes_.counted_part(texel, fragment.depth, fragment.depth_end);
+        const std::span<const float> planes = planes_.of(texel);
         const float begin = planes_.position(texel, fragment.depth);
         const float end = planes_.position(texel, fragment.depth_end);
-        int k = std::max(layer_of(planes_.planes, begin) + 1, first_plane_);
+        int k = std::max(layer_of(planes, begin) + 1, first_plane_);
         for (float so_far = 0.f, moment = 0.f; k <= last_plane_ && so_far < 1.f; ++k) {
-            const float part = end > begin ? counted_at(planes_.planes, k, begin, end) : 1.f;
+            const float part = end > begin ? counted_at(planes, k, begin, end) : 1.f;
             map_.plane(texel, k) += map_.added(optical_depth, part, so_far);
             so_far = part;
             if (!map_.has_moments()) continue;
-            const float here = part * mean_in_front(planes_.planes, k, begin, end);
+            const float here = part * mean_in_front(planes, k, begin, end);
             map_.moment(texel, k) += optical_depth * (here - moment);
             moment = here;
         }
@@ -149,7 +171,7 @@ class LayeredTexels : public TexelMap {
                                 planes_.position(texel, own.depth_end),
                                 counted * own.optical_depth};
         const float x = planes_.position(texel, depth);
-        const int layer = layer_of(planes_.planes, x);
+        const int layer = layer_of(planes_.of(texel), x);
         const float in_front =
             std::min(counted * own_in_front(own, depth), map_.optical_depth(texel, layer + 1));
         if (depth >= planes_.end(texel)) {
@@ -176,7 +198,7 @@ class LayeredTexels : public TexelMap {
     }
     // Optical depth grows evenly from one plane to the next.
     float on_line(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
-        const std::span<const float> planes = planes_.planes;
+        const std::span<const float> planes = planes_.of(texel);
         const float low = planes[layer], high = planes[layer + 1];
         const float along = (x - low) / (high - low);
         const float part = counted(planes, own.depth, own.depth_end, layer, along);
@@ -184,24 +206,18 @@ class LayeredTexels : public TexelMap {
         const float behind = map_.optical_depth(texel, layer + 1);
         return before * (1.f - along) + behind * along - own.optical_depth * part;
     }
-    // Optical depth grows evenly about the mean depth of what the layer holds, as far as its nearer
-    // plane. Of few casters: the mean of T if it is that of two, each anywhere there.
     float about_mean(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
-        const float low = planes_.planes[layer], high = planes_.planes[layer + 1];
+        const std::span<const float> planes = planes_.of(texel);
         const float before = without(own, texel, layer);
-        const float held = without(own, texel, layer + 1) - before;
-        if (!(held > 0.f)) return before;
-        const float moment =
-            moment_without(own, texel, layer + 1) - moment_without(own, texel, layer);
-        const float mean = std::clamp(moment / held, low, high);
-        const float reach = std::min(mean - low, high - mean);
-        const float met = part_in_front(mean - reach, mean + reach, x);
-        if (interpolation_ == Interpolation::mean_depth) return before + met * held;
-        return before + 2.f * optical_depth_of(met * opacity_of(0.5f * held));
+        const LayerHeld held{
+            without(own, texel, layer + 1) - before,
+            moment_without(own, texel, layer + 1) - moment_without(own, texel, layer)};
+        return before + held_in_front(held, planes[layer], planes[layer + 1], x,
+                                      interpolation_ == Interpolation::mean_depth_of_few);
     }
     // The receiver's own part is taken out of all four planes first.
     float on_cubic(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
-        const std::span<const float> planes = planes_.planes;
+        const std::span<const float> planes = planes_.of(texel);
         std::array<float, 4> places, values;
         for (int i = 0; i < 4; ++i) {
             const int k = std::clamp(layer + i - 1, 0, planes_.last_plane());
@@ -211,15 +227,18 @@ class LayeredTexels : public TexelMap {
         return monotone_cubic(places, values, x);
     }
 
+    // Of a receiver, what plane k counts.
+    float own_part(const OwnDeposit& own, std::size_t texel, int k) const {
+        return own.optical_depth * counted_at(planes_.of(texel), k, own.depth, own.depth_end);
+    }
     float without(const OwnDeposit& own, std::size_t texel, int k) const {
-        return map_.optical_depth(texel, k) -
-               own.optical_depth * counted_at(planes_.planes, k, own.depth, own.depth_end);
+        return map_.optical_depth(texel, k) - own_part(own, texel, k);
     }
     float moment_without(const OwnDeposit& own, std::size_t texel, int k) const {
         if (k == 0) return 0.f;
-        return map_.moment(texel, k) -
-               own.optical_depth * counted_at(planes_.planes, k, own.depth, own.depth_end) *
-                   mean_in_front(planes_.planes, k, own.depth, own.depth_end);
+        return map_.moment(texel, k) - own_part(own, texel, k) * mean_in_front(planes_.of(texel), k,
+                                                                               own.depth,
+                                                                               own.depth_end);
     }
 
     const DrawnLayers drawn_;
@@ -272,7 +291,7 @@ std::function<void(PassContext&, int plane, const ShapeFilter&)> plane_on_cpu(
                 const float begin = planes.position(texel, fragment.depth);
                 const float end = planes.position(texel, fragment.depth_end);
                 const auto part = [&](int k) {
-                    return k > 0 ? counted_at(planes.planes, k, begin, end) : 0.f;
+                    return k > 0 ? counted_at(planes.of(texel), k, begin, end) : 0.f;
                 };
                 map.plane(texel, plane) +=
                     map.added(fragment.optical_depth, part(plane), part(plane - planes_per_target));

@@ -31,12 +31,6 @@ struct Sample {
     }
 };
 
-// Of receivers on the casters themselves, as a part of the light's depth range.
-double relative_bias(const ShadowInputs& inputs, const AutoParam<double>& bias) {
-    const double width = mean_strand_width(inputs.translucent.shapes());
-    return (bias.is_auto() ? width : bias.get()) / inputs.space.depth_range;
-}
-
 std::string ratio_text(const char* before, std::size_t trial) {
     char text[64];
     std::snprintf(text, sizeof text, "%s %.1f", before, trial_ratio(trial));
@@ -54,6 +48,11 @@ std::string progress(std::span<const double> scores, Similarity similarity, bool
 }
 
 }  // namespace
+
+double relative_bias(const ShadowInputs& inputs, const AutoParam<double>& bias) {
+    const double width = mean_strand_width(inputs.translucent.shapes());
+    return (bias.is_auto() ? width : bias.get()) / inputs.space.depth_range;
+}
 
 void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
                               const DrawnLayers& histogram,

@@ -11,6 +11,9 @@
 
 namespace opacity::techniques {
 
+// Of receivers on the casters themselves, as a part of the light's depth range.
+double relative_bias(const ShadowInputs& inputs, const AutoParam<double>& bias);
+
 // What a search is told: how many layers, by which measure, with which bias T is looked up, and
 // when to search again.
 struct SplitSearch {

@@ -4,6 +4,7 @@
 // r = 0 is the linear split, r = 1 the logarithmic one. Layer k of K ends where f(x) = k / K.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace opacity {
@@ -14,5 +15,13 @@ double split_curve(double x, double ratio);
 double split_inverse(double y, double ratio);
 // The K + 1 planes of K layers, 0 first and 1 last, strictly increasing also as floats.
 std::vector<float> layer_planes(int layers, double ratio);
+
+// The ratios that a search tries.
+constexpr int split_trials = 11;
+constexpr double trial_ratio(std::size_t trial) {
+    return double(trial) / (split_trials - 1);
+}
+// The planes of layer_planes at each of them, one after the other.
+std::vector<float> trial_planes(int layers);
 
 }  // namespace opacity

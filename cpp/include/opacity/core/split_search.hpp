@@ -6,6 +6,7 @@
 #include <span>
 
 #include "opacity/core/optical_depth_profiles.hpp"
+#include "opacity/core/split.hpp"
 #include "opacity/core/split_error.hpp"
 
 namespace opacity {
@@ -33,11 +34,6 @@ struct SplitMeasure {
 double split_score(const SplitMeasure& measure, const OpticalDepthProfiles& layers,
                    const FineProfiles& fine);
 
-// The ratios of the trials.
-constexpr int split_trials = 11;
-constexpr double trial_ratio(std::size_t trial) {
-    return double(trial) / (split_trials - 1);
-}
 // The trial with the least score; the first of equals. Errors of T that no one sees are equal, so
 // that rounding, which differs between devices, seldom decides.
 std::size_t best_trial(std::span<const double> scores, Similarity similarity);
