@@ -49,6 +49,7 @@ from pyopacity.technique import (
     techniques,
 )
 from pyopacity.trace import trace_backends, trace_transmittance
+from pyopacity.tuning import LayerChoice, LayerTrial, tune
 
 __version__ = _native.version()
 
@@ -67,6 +68,8 @@ __all__ = [
     "Error",
     "FileFormatError",
     "ForkedContextError",
+    "LayerChoice",
+    "LayerTrial",
     "Light",
     "Mesh",
     "OutOfMemoryError",
@@ -103,4 +106,5 @@ __all__ = [
     "trace_transmittance",
     "traced_picture",
     "transmittance",
+    "tune",
 ]

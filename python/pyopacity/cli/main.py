@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import NoReturn
 
 import pyopacity as po
-from pyopacity.cli import compare, doctor, info, render, techniques
+from pyopacity.cli import compare, doctor, info, render, techniques, tune
 from pyopacity.cli.text import clear_progress
 
 INTERRUPTED = 130
@@ -81,7 +81,7 @@ def _parser() -> Parser:
         "--cmake-dir", action=PrintCmakeDir, help="print the folder for cmake -Dopacity_DIR="
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in (render, compare, techniques, info, doctor):
+    for command in (render, compare, tune, techniques, info, doctor):
         command.add_to(commands)
     return parser
 
