@@ -11,6 +11,9 @@ namespace {
 // Thinner slabs are not halved for their mass: planes are floats.
 constexpr double least_thickness = 0x1p-20;
 
+// Of all mass: the halves of an evenly filled cell are equal, however they were rounded.
+constexpr double equal_masses = 0x1p-30;
+
 struct Slab {
     double begin = 0.0, end = 1.0, mass = 0.0;
 
@@ -51,10 +54,11 @@ std::vector<float> gamma_slices(int count, double gamma) {
 }
 
 std::vector<float> density_slices(int count, const DepthHistogram& histogram) {
+    const double unit = equal_masses * mass_before(histogram, 1.0);
     const auto slab = [&](double begin, double end) {
-        const bool is_thin = end - begin < least_thickness;
-        return Slab{begin, end,
-                    is_thin ? 0.0 : mass_before(histogram, end) - mass_before(histogram, begin)};
+        if (end - begin < least_thickness || !(unit > 0.0)) return Slab{begin, end, 0.0};
+        const double mass = mass_before(histogram, end) - mass_before(histogram, begin);
+        return Slab{begin, end, std::round(mass / unit)};
     };
     std::priority_queue<Slab> slabs;
     slabs.push(slab(0.0, 1.0));
