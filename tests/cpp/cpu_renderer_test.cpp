@@ -157,19 +157,19 @@ TEST_CASE("without OpenGL the report tells what ran, what was kept, and what nob
     const Positions points = some_points();
     const std::vector<float> first = renderer.transmittance(points);
     const std::string technique = "bounding_opacity_maps/";
-    for (const char* pass : {"start_depth", "end_depth", "opacity"})
+    for (const char* pass : {"bounds", "opacity"})
         CHECK(row_of(renderer, technique + pass).status == Status::ran);
     CHECK(row_of(renderer, "opaque_depth").status == Status::ran);
     CHECK(row_of(renderer, "transmittance").status == Status::ran);
     CHECK(row_of(renderer, "lighting").status == Status::culled);
 
     CHECK(renderer.transmittance(points) == first);
-    for (const char* pass : {"start_depth", "end_depth", "opacity"})
+    for (const char* pass : {"bounds", "opacity"})
         CHECK(row_of(renderer, technique + pass).status == Status::cached);
 
     scene->shapes()[0]->set_opacity({0.9f});  // the bounds stay
     CHECK(renderer.transmittance(points) != first);
-    CHECK(row_of(renderer, technique + "start_depth").status == Status::cached);
+    CHECK(row_of(renderer, technique + "bounds").status == Status::cached);
     CHECK(row_of(renderer, technique + "opacity").status == Status::ran);
     CHECK(contains(row_of(renderer, technique + "opacity").why, "opacity"));
 
@@ -179,7 +179,7 @@ TEST_CASE("without OpenGL the report tells what ran, what was kept, and what nob
 
     scene->shapes()[0]->set_casts(false);  // nothing translucent is left
     renderer.transmittance(points);
-    for (const char* pass : {"start_depth", "end_depth", "opacity"})
+    for (const char* pass : {"bounds", "opacity"})
         CHECK(row_of(renderer, technique + pass).status == Status::culled);
 }
 

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <set>
 
 #include "opacity/core/split.hpp"
 
@@ -42,5 +43,38 @@ TEST_CASE("planes are strictly increasing floats from 0 to 1 for every K and rat
             REQUIRE(planes.front() == 0.f);
             REQUIRE(planes.back() == 1.f);
             for (int k = 0; k < layers; ++k) REQUIRE(planes[k] < planes[k + 1]);
+        }
+}
+
+TEST_CASE("the thesis's table gives half of a logarithmic range to the last layer") {
+    for (int layers : {2, 4, 8, 16, 32, 64})
+        CHECK(layer_planes(layers, 1.0, true)[std::size_t(layers) - 1] == 0.5f);
+    // Of 32 layers it names 26; the others are empty.
+    const std::vector<float> planes = layer_planes(32, 1.0, true);
+    CHECK(std::set<float>(planes.begin(), planes.end() - 1).size() == 26);
+}
+
+TEST_CASE("the thesis's table of a linear split is even in 256ths, but for its last layer") {
+    for (int layers : {2, 4, 16, 64}) {
+        const std::vector<float> planes = layer_planes(layers, 0.0, true);
+        for (int k = 0; k < layers; ++k)
+            CHECK(std::abs(planes[std::size_t(k)] - double(k) / (layers - 1)) <= 1.0 / 128);
+        CHECK(planes[std::size_t(layers) - 1] == 255.f / 256.f);
+        CHECK(planes.back() == 1.f);
+    }
+}
+
+TEST_CASE("planes of the thesis's table never fall, and stand on 256ths") {
+    for (int layers = 1; layers <= 64; ++layers)
+        for (int tenth = 0; tenth <= 10; ++tenth) {
+            const std::vector<float> planes = layer_planes(layers, 0.1 * tenth, true);
+            REQUIRE(planes.size() == std::size_t(layers) + 1);
+            REQUIRE(planes.front() == 0.f);
+            REQUIRE(planes.back() == 1.f);
+            for (std::size_t k = 0; k + 1 < planes.size(); ++k) {
+                REQUIRE(planes[k] <= planes[k + 1]);
+                REQUIRE(256.f * planes[k] == std::floor(256.f * planes[k]));
+            }
+            REQUIRE((layers == 1 || planes[planes.size() - 2] < 1.f));
         }
 }

@@ -176,13 +176,13 @@ def test_runs_what_has_moved_and_no_more() -> None:
             return {r.name.rpartition("/")[2] for r in renderer.report if r.status == "ran"}
 
         everything = ran()
-        assert {"start_depth", "end_depth", "split_search", "opacity"} < everything
+        assert {"bounds", "split_search", "opacity"} < everything
         assert ran() == {"transmittance"}
         scene.shapes[0].color = (1.0, 0.0, 0.0)
         assert ran() == {"transmittance"}
         scene.shapes[0].opacity = 0.2
         changed = ran()
-        assert "opacity" in changed and not {"start_depth", "end_depth"} & changed
+        assert "opacity" in changed and "bounds" not in changed
         kept = renderer.transmittance(scene.shapes[0])
         renderer.invalidate()
         assert (renderer.transmittance(scene.shapes[0]) == kept).all()  # skipped equals forced

@@ -1,6 +1,4 @@
-"""A split ratio for each texel, or each region of them: what is found, what it is worth, and when."""
-
-from collections.abc import Callable
+"""A split ratio for each texel, or region of texels: what is found, what it is worth, and when."""
 
 import numpy as np
 import numpy.typing as npt
@@ -188,6 +186,15 @@ def test_one_layer_has_no_ratio(split: str) -> None:
     with renderer(scene, split=split, layers=1) as used:
         used.transmittance(strands)
         assert all("split" not in row.name for row in used.report)
+
+
+def test_eleven_frames_are_refused() -> None:
+    scene, strands = hair(200)
+    with (
+        renderer(scene, split="per_region", search_frames=11) as used,
+        pytest.raises(po.ParameterError, match="one frame"),
+    ):
+        used.transmittance(strands)
 
 
 @pytest.mark.parametrize("similarity", ["correlation", "paper_correlation"])

@@ -79,7 +79,7 @@ def test_opacity_leaves_the_depth_bounds_alone(renderer: po.Renderer) -> None:
     hair = renderer.scene.shapes[0]
     again = ran_after(renderer, lambda: setattr(hair, "opacity", 0.6))
     assert {f"{MAPS}/opacity", "lighting"} <= again
-    assert not again & {f"{MAPS}/start_depth", f"{MAPS}/end_depth", "opaque_depth"}
+    assert not again & {f"{MAPS}/bounds", "opaque_depth"}
 
 
 def test_a_receiver_that_does_not_cast_leaves_the_maps_alone(renderer: po.Renderer) -> None:
@@ -90,13 +90,13 @@ def test_a_receiver_that_does_not_cast_leaves_the_maps_alone(renderer: po.Render
 def test_points_move_what_depends_on_them(renderer: po.Renderer) -> None:
     hair = renderer.scene.shapes[0]
     again = ran_after(renderer, lambda: setattr(hair, "points", hair.points * 0.99))
-    assert {f"{MAPS}/start_depth", f"{MAPS}/end_depth", f"{MAPS}/opacity", "lighting"} <= again
+    assert {f"{MAPS}/bounds", f"{MAPS}/opacity", "lighting"} <= again
 
 
 def test_layers_leave_the_depth_bounds_alone(renderer: po.Renderer) -> None:
     again = ran_after(renderer, lambda: setattr(renderer.technique, "layers", 4))
     assert {f"{MAPS}/opacity", "lighting"} <= again
-    assert not again & {f"{MAPS}/start_depth", f"{MAPS}/end_depth", "opaque_depth"}
+    assert not again & {f"{MAPS}/bounds", "opaque_depth"}
 
 
 def test_needs_recompute_searches_the_split_again(renderer: po.Renderer) -> None:

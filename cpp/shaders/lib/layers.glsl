@@ -24,9 +24,14 @@ float counted_part(TexelLayers layers, float begin, float end) {
 #ifdef PASS_opacity
 #include "lib/deposit.glsl"
 
+#ifdef WRITES_PLANES
 layout(location = 0) out vec4 o_planes[TARGETS];
-#ifdef MEAN_DEPTHS
-layout(location = TARGETS) out vec4 o_moments[TARGETS];
+#define FIRST_MOMENTS TARGETS
+#else
+#define FIRST_MOMENTS 0
+#endif
+#ifdef WRITES_MOMENTS
+layout(location = FIRST_MOMENTS) out vec4 o_moments[TARGETS];
 #endif
 
 // A search of planes looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks,
@@ -47,12 +52,14 @@ void main() {
         vec4 part = vec4(greaterThan(planes, ivec4(layer)));
         if (last > first)
             for (int i = 0; i < 4; ++i) part[i] = counted_at(layers.curve, planes[i], first, last);
+#ifdef WRITES_PLANES
         vec4 value = stored(optical_depth * part);
 #ifdef PACKED
         if (FIRST_TARGET + target == 0) value.a = layers.start;  // of equals the largest remains
 #endif
         o_planes[target] = value;
-#ifdef MEAN_DEPTHS
+#endif
+#ifdef WRITES_MOMENTS
         for (int i = 0; i < 4; ++i) part[i] *= mean_in_front(layers.curve, planes[i], first, last);
         o_moments[target] = optical_depth * part;
 #endif

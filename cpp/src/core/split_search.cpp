@@ -112,7 +112,8 @@ std::size_t find_split_trial(const FineProfiles& fine, int layers, const SplitMe
     if (measure.similarity == Similarity::error) receivers.emplace(fine);
     std::vector<double> scores;
     for (std::size_t trial = 0; trial < split_trials; ++trial) {
-        const std::vector<float> planes = layer_planes(layers, trial_ratio(trial));
+        const std::vector<float> planes =
+            layer_planes(layers, trial_ratio(trial), measure.paper_lut);
         const std::vector<float> values = fine.rebinned(planes);
         const std::vector<float> moments =
             receivers && measure.has_moments ? fine.rebinned_moments(planes) : std::vector<float>{};

@@ -134,6 +134,7 @@ void Program::reflect_uniforms() {
         };
         if (get(GL_BLOCK_INDEX) != -1) continue;
         const std::string listed = listed_name(gl(), name(), GL_UNIFORM, GLuint(i));
+        if (listed.starts_with("gl_")) continue;  // state, which the driver feeds
         const Uniform uniform{get(GL_LOCATION), GLenum(get(GL_TYPE)), listed.ends_with(array_mark),
                               get(GL_ARRAY_SIZE)};
         auto& list = is_sampler(uniform.type) || is_image(uniform.type) ? opaque : uniforms_;

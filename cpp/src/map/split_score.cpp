@@ -17,8 +17,7 @@ float layer_end(std::span<const float> planes, std::size_t k) {
 // What a look-up makes of a layer, where the receiver's own caster is left out.
 float looked_up(const SplitMeasure& measure, const LayerHeld& held, float low, float high,
                 float x) {
-    if (measure.has_moments)
-        return held_in_front(held, low, high, x, measure.look_up.few_casters);
+    if (measure.has_moments) return held_in_front(held, low, high, x, measure.look_up.few_casters);
     return held.optical_depth * std::clamp((x - low) / (high - low), 0.f, 1.f);
 }
 

@@ -47,8 +47,8 @@ void CpuDevice::clear(const Pass& pass) {
             std::fill_n(first, count, pass.state.clear_depth);
             continue;
         }
-        for (std::size_t i = 0; i < count; ++i)
-            first[i] = pass.state.clear_color[i % channels(desc.format)];
+        const float4 color = target.clear_color.value_or(pass.state.clear_color);
+        for (std::size_t i = 0; i < count; ++i) first[i] = color[i % channels(desc.format)];
     }
 }
 

@@ -149,8 +149,13 @@ void GlDevice::set_state(const Pass& pass) const {
     gl().DepthMask(pass.tests ? GL_FALSE : GL_TRUE);
     toggle(GL_BLEND, state.blend != Blend::off);
     gl().BlendEquation(GL_FUNC_ADD);
+    if (state.blend == Blend::bounds) {
+        gl().BlendEquation(GL_MAX);
+        gl().BlendEquationi(0, GL_MIN);
+    }
     if (state.largest_alpha) gl().BlendEquationSeparatei(0, GL_FUNC_ADD, GL_MAX);
     gl().BlendFunc(GL_ONE, state.blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+    gl().DepthRangef(state.swaps_depth_range ? 1.f : 0.f, state.swaps_depth_range ? 0.f : 1.f);
     const bool through_faces = pass.view && pass.view->faces() > 0;
     for (GLenum plane = GL_CLIP_DISTANCE0; plane < GL_CLIP_DISTANCE0 + face_clip_distances; ++plane)
         toggle(plane, through_faces);
@@ -170,8 +175,9 @@ void GlDevice::clear(const Pass& pass) {
         if (target.texture->desc().format == Format::depth32f)
             gl().ClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &pass.state.clear_depth);
         else
-            gl().ClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, color++,
-                                         pass.state.clear_color.data());
+            gl().ClearNamedFramebufferfv(
+                framebuffer_.name(), GL_COLOR, color++,
+                target.clear_color.value_or(pass.state.clear_color).data());
     }
     if (pass.draws && pass.draws->shapes().empty()) resolve(pass);
     gl::check_errors(*context_, "clearing the targets of pass " + pass.name);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "opacity/core/error.hpp"
 #include "opacity/core/split.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "techniques/histogram.hpp"
@@ -12,20 +13,21 @@
 namespace opacity::techniques {
 
 LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
-    const LayerSpan span{&add_first_depth(graph, inputs), &add_last_depth(graph, inputs)};
+    const LayerSpan span = add_span(graph, inputs);
     auto& planes = graph.value("planes", std::vector<float>{});
     const Interpolation between = between_planes(inputs);
-    const SplitSearch search{layers,        similarity,      bias,   own_correction,
-                             interpolation, search_request_, between};
+    const SplitSearch search{layers,    similarity,      bias,   own_correction, interpolation,
+                             paper_lut, search_request_, between};
     const auto histogram = [&](bool in_all_texels = false) -> DrawnLayers {
         return add_histogram(graph, inputs, span, fine_ratio, in_all_texels);
     };
     LocalCurves curves;
     std::optional<SplitSearch::Trials> trials;
     if (layers.get() == 1 || !is_searched()) {
-        planes.set(layer_planes(layers.get(), fixed_ratio()));
+        planes.set(search.planes(fixed_ratio()));
     } else if (!split.is("auto")) {
-        planes.set(trial_planes(layers.get()));
+        require_one_frame();
+        planes.set(trial_planes(layers.get(), paper_lut.get()));
         curves = add_local_splits(graph, inputs, search, histogram(true), planes, region_px());
     } else if (search_frames.get() == 1) {
         search.add_at_once(graph, inputs, histogram(), planes);
@@ -44,6 +46,16 @@ LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs)
     return layers_look_up(inputs, drawn, between, std::move(more));
 }
 
+LayerSpan BoundingOpacityMaps::add_span(FrameGraph& graph, const ShadowInputs& inputs) const {
+    if (bounds.is("one_pass")) {
+        const DepthBounds both = add_both_depths(graph, inputs);
+        return {&both.start, &both.end};
+    }
+    Texture& start = add_first_depth(graph, inputs);
+    if (bounds.is("depth_func")) return {&start, &add_last_depth(graph, inputs)};
+    return {&start, &add_last_depth_mirrored(graph, inputs, bounds.is("depth_range"))};
+}
+
 // Coarser sums do not tell where in a layer what it holds lies. A leaf is one caster, and often the
 // only one of its layer; strands and media are many.
 Interpolation BoundingOpacityMaps::between_planes(const ShadowInputs& inputs) const {
@@ -56,6 +68,14 @@ Interpolation BoundingOpacityMaps::between_planes(const ShadowInputs& inputs) co
     return std::ranges::any_of(inputs.translucent.shapes(), is_surface)
                ? Interpolation::mean_depth_of_few
                : Interpolation::mean_depth;
+}
+
+// Eleven frames would draw eleven maps for what one histogram tells.
+void BoundingOpacityMaps::require_one_frame() const {
+    if (search_frames.get() != 1)
+        throw ParameterError(
+            "bounding_opacity_maps.split = " + split.get() + " is found in one frame, not in 11",
+            "set search_frames to 1, or split to auto");
 }
 
 bool BoundingOpacityMaps::is_searched() const {

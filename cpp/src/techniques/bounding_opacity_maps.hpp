@@ -1,22 +1,22 @@
 // Bounding opacity maps (Voicu, "Real-time volumetric shadows for dynamic rendering", 2011, section
 // 5).
 //
-// Idea: two depth maps bound the casters of each texel, one drawn with the depth test reversed. K
-// planes are laid between the bounds of that texel, so layers follow the shape of the casters on
-// both sides, and each plane holds the optical depth in front of it. The planes may be evenly
-// spaced, dense near the light (logarithmic), or a mix whose ratio is found by reading layers back
-// to the CPU: eleven ratios from one fine histogram, or one ratio a frame, as in the thesis. Its
-// section 7 leaves to later work a ratio for each texel, or each region of them: here two compute
-// passes find it in the same frame, from a fine histogram of every texel, without a read-back.
-// Beyond the thesis, each layer keeps the mean depth of what it holds (docs/accuracy.md, "The
-// look-up").
+// Idea: two depth maps bound the casters of each texel, blended in one pass; the thesis draws the
+// second with depths reversed. K planes are laid between the bounds of that texel, so layers follow
+// the shape of the casters on both sides, and each plane holds the optical depth in front of it.
+// The planes may be evenly spaced, dense near the light (logarithmic), or a mix whose ratio is
+// found by reading layers back to the CPU: eleven ratios from one fine histogram, or one ratio a
+// frame, as in the thesis. Its section 7 leaves to later work a ratio for each texel, or each
+// region of them: here two compute passes find it in the same frame, from a fine histogram of every
+// texel, without a read-back. Beyond the thesis, each layer keeps the mean depth of what it holds
+// (docs/accuracy.md, "The look-up").
 //
-// Cost: 2 depth passes and ceil(K / 16) blended passes into two arrays of ceil(K / 4) RGBA32F
-// layers; 8 + 32 ceil(K / 4) bytes a texel. With linear interpolation ceil(K / 32) passes into one.
-// The search, when the casters, their opacity or the light changed: 2 more passes and one
+// Cost: a pass for the bounds and ceil(K / 16) blended passes into two arrays of ceil(K / 4)
+// RGBA32F layers; 8 + 32 ceil(K / 4) bytes a texel. With linear interpolation ceil(K / 32) passes
+// into one. The search, when the casters, their opacity or the light changed: 2 more passes and one
 // read-back, or a read-back in each of eleven frames; of per_texel and per_region, when these
-// moved, 4 more passes, and 308 bytes a texel (at 512^2). Look-up: 4 texels, 2
-// bounds and 2 planes each, whatever K is.
+// moved, 4 more passes, and 308 bytes a texel (at 512^2). Look-up: 4 texels, 2 bounds and 2 planes
+// each, whatever K is.
 //
 // Fails: two clusters far apart in one texel (most planes lie in the gap); sparse and dense casters
 // in one map, unless each texel has its own split.
@@ -60,12 +60,29 @@ class BoundingOpacityMaps : public Layered {
                       "absolute_difference the largest smallest difference of neighbouring layers, "
                       "as opacity; correlation their least mean correlation. The paper_ forms are "
                       "those of the thesis, on optical depth at 8 bits, and prefer ratio 1."};
-    IntChoice search_frames{*this,
-                            "search_frames",
-                            {1, 11},
-                            "Frames that a search takes: 1 tries all ratios on one histogram, 11 "
-                            "draws one ratio a frame, as the thesis does."};
+    IntChoice search_frames{
+        *this,
+        "search_frames",
+        {1, 11},
+        "Frames that a search takes: 1 tries all ratios on one histogram, 11 "
+        "draws one ratio a frame, as the thesis does. Of split auto; others take one."};
 
+    IntChoice render_targets{*this,
+                             "render_targets",
+                             {0, 1, 2, 4, 8},
+                             "Into how many images of four planes a pass may draw at once; more "
+                             "layers take several passes. 0: eight, which OpenGL 4.5 guarantees."};
+    Param<bool> paper_lut{*this, "paper_lut", false,
+                          "Lays the planes where the look-up texture of the thesis has them, not "
+                          "by the curve in closed form: of a logarithmic split half of the range "
+                          "falls in the last layer."};
+    Choice bounds{*this,
+                  "bounds",
+                  {"one_pass", "depth_func", "swapped_planes", "depth_range"},
+                  "How the first and the last depth of each texel are drawn: in one_pass by "
+                  "blending, else in two, the last by a reversed depth test or by mirrored depths, "
+                  "as swapped near and far planes or the depth range give them. The same maps, up "
+                  "to 2^-25 of a depth that was mirrored."};
     Choice interpolation{*this,
                          "interpolation",
                          {"auto", "linear", "mean_depth"},
@@ -74,9 +91,16 @@ class BoundingOpacityMaps : public Layered {
                          "about it; auto does so with the accumulator float32 and our deposit "
                          "rule."};
 
+   protected:
+    int most_targets() const override {
+        return render_targets.get() == 0 ? targets_per_pass : render_targets.get();
+    }
+
    private:
     static constexpr int region_side_px = 8;
 
+    LayerSpan add_span(FrameGraph& graph, const ShadowInputs& inputs) const;
+    void require_one_frame() const;
     bool is_searched() const;
     double fixed_ratio() const;
     int region_px() const;

@@ -1,6 +1,7 @@
 #include "techniques/depth_bounds.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "map/depth_bits.hpp"
@@ -8,6 +9,8 @@
 
 namespace opacity::techniques {
 namespace {
+
+const float4 no_first{1.f}, no_last{0.f};  // where no caster is
 
 // `pick` takes the depth so far, and the fragment.
 template <class Pick>
@@ -55,6 +58,64 @@ Texture& add_last_depth(FrameGraph& graph, const ShadowInputs& inputs) {
                .state = {.depth = Depth::greater, .clear_depth = 0.f},
                .on_cpu = depth_on_cpu(inputs, end, last)});
     return end;
+}
+
+Texture& add_last_depth_mirrored(FrameGraph& graph, const ShadowInputs& inputs,
+                                 bool by_depth_range) {
+    Texture& mirrored = graph.texture("mirrored_end", inputs.map(Format::depth32f));
+    Texture& end = graph.texture("end", inputs.map(Format::r32f));
+    const auto last = [](float depth, const Fragment& fragment) {
+        return std::min(depth, 1.f - fragment.depth_end);
+    };
+    const std::string way = by_depth_range ? "DEPTH_RANGE" : "MIRRORED";
+    graph.add(
+        {.name = "end_depth",
+         .shader = inputs.caster_shader("bounds.frag.glsl", false, {{way, "1"}}),
+         .draws = &inputs.translucent,
+         .view = &inputs.light,
+         .reads = inputs.caster_reads(false),
+         .writes = {&mirrored},
+         .state = {.depth = Depth::less, .clear_depth = 1.f, .swaps_depth_range = by_depth_range},
+         .on_cpu = depth_on_cpu(inputs, mirrored, last)});
+    graph.add({.name = "mirror",
+               .shader = {.compute = "mirror.comp.glsl"},
+               .only_with = &inputs.translucent,
+               .reads = {&mirrored},
+               .stores = {&end},
+               .execute =
+                   [&end](PassContext& context) {
+                       context.dispatch(end.desc().width * end.desc().height);
+                   },
+               .on_cpu =
+                   [&mirrored, &end](PassContext& context) {
+                       std::ranges::transform(context.memory<float>(mirrored),
+                                              context.memory<float>(end).begin(),
+                                              [](float depth) { return 1.f - depth; });
+                   }});
+    return end;
+}
+
+DepthBounds add_both_depths(FrameGraph& graph, const ShadowInputs& inputs) {
+    Texture& start = graph.texture("start", inputs.map(Format::r32f));
+    Texture& end = graph.texture("end", inputs.map(Format::r32f));
+    graph.add({.name = "bounds",
+               .shader = inputs.caster_shader("bounds.frag.glsl", false, {{"ONE_PASS", "1"}}),
+               .draws = &inputs.translucent,
+               .view = &inputs.light,
+               .reads = inputs.caster_reads(false),
+               .writes = {{&start, 0, no_first}, {&end, 0, no_last}},
+               .state = {.blend = Blend::bounds},
+               .on_cpu = [inputs, &start, &end](PassContext& context) {
+                   const auto starts = context.memory<float>(start);
+                   const auto ends = context.memory<float>(end);
+                   for_each_fragment(
+                       inputs.fragments(context, false), [&](const Fragment& fragment) {
+                           float &first = starts[fragment.texel], &last = ends[fragment.texel];
+                           first = std::min(first, fragment.depth);
+                           last = std::max(last, fragment.depth_end);
+                       });
+               }});
+    return {start, end};
 }
 
 }  // namespace opacity::techniques

@@ -22,6 +22,12 @@ inline Slot slot_of(int k, bool is_packed) {
     return {slot / planes_per_target, slot % planes_per_target};
 }
 
+// What one pass draws of layers: of so many layers of the map and of the moments, or one of these.
+struct LayerPart {
+    int first_target, target_count;
+    bool planes, moments;
+};
+
 // Between which depths of light space a texel's layers lie; GLSL: lib/layer_span.glsl.
 struct LayerSpan {
     Texture* start = nullptr;       // none: from depth 0

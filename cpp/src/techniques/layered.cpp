@@ -85,28 +85,44 @@ void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const Dr
     drawn.add_to(reads);
     reads = inputs.caster_reads(true, std::move(reads));
     const int targets = drawn.map.desc().layers;
-    const int most = drawn.moments ? targets_per_pass / 2 : targets_per_pass;
+    const bool in_pairs = drawn.moments && most_targets() > 1;
+    const int most = in_pairs ? most_targets() / 2 : most_targets();
     for (int first = 0; first < targets; first += most) {
         const int count = std::min(most, targets - first);
-        std::vector<Target> writes;
-        for (Texture* map : {&drawn.map, drawn.moments})
-            for (int target = first; map && target < first + count; ++target)
-                writes.emplace_back(map, target);
-        Defines defines = layer_defines(drawn);
-        defines.insert(defines.end(), {{"PASS_opacity", "1"},
-                                       {"TARGETS", std::to_string(count)},
-                                       {"FIRST_TARGET", std::to_string(first)},
-                                       {"BLOCK_STRIDE", std::to_string(block_stride)}});
-        const std::string part = first == 0 ? "" : "_" + std::to_string(first / most + 1);
-        graph.add({.name = drawn.map.shader_name() + part,
-                   .shader = inputs.caster_shader(shader_path(), true, std::move(defines)),
-                   .draws = &inputs.translucent,
-                   .view = &inputs.light,
-                   .reads = reads,
-                   .writes = std::move(writes),
-                   .state = {.blend = Blend::add, .largest_alpha = drawn.is_packed && first == 0},
-                   .on_cpu = layers_on_cpu(inputs, drawn, first, count, block_stride)});
+        const std::string number = first == 0 ? "" : "_" + std::to_string(first / most + 1);
+        add_pass(graph, inputs, drawn, {first, count, true, in_pairs},
+                 drawn.map.shader_name() + number, reads, block_stride);
+        if (drawn.moments && !in_pairs)
+            add_pass(graph, inputs, drawn, {first, count, false, true},
+                     drawn.moments->shader_name() + number, reads, block_stride);
     }
+}
+
+void Layered::add_pass(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
+                       const LayerPart& part, const std::string& name, const Reads& reads,
+                       int block_stride) const {
+    std::vector<Target> writes;
+    Defines defines = layer_defines(drawn);
+    defines.insert(defines.end(), {{"PASS_opacity", "1"},
+                                   {"TARGETS", std::to_string(part.target_count)},
+                                   {"FIRST_TARGET", std::to_string(part.first_target)},
+                                   {"BLOCK_STRIDE", std::to_string(block_stride)}});
+    const auto write = [&](Texture& map, const char* define) {
+        defines.emplace_back(define, "1");
+        for (int i = 0; i < part.target_count; ++i)
+            writes.emplace_back(&map, part.first_target + i);
+    };
+    if (part.planes) write(drawn.map, "WRITES_PLANES");
+    if (part.moments) write(*drawn.moments, "WRITES_MOMENTS");
+    const bool keeps_start = drawn.is_packed && part.planes && part.first_target == 0;
+    graph.add({.name = name,
+               .shader = inputs.caster_shader(shader_path(), true, std::move(defines)),
+               .draws = &inputs.translucent,
+               .view = &inputs.light,
+               .reads = reads,
+               .writes = std::move(writes),
+               .state = {.blend = Blend::add, .largest_alpha = keeps_start},
+               .on_cpu = layers_on_cpu(inputs, drawn, part, block_stride)});
 }
 
 Sweep Layered::layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& all,

@@ -48,10 +48,15 @@ class Layered : public OwnCorrected {
     Sweep layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
                        Interpolation interpolation) const;
     int accumulator_bits() const;
+    // Into how many images of four planes a pass may draw at once.
+    virtual int most_targets() const { return targets_per_pass; }
 
    private:
     void add_passes(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
                     const Source& layer_count, int block_stride) const;
+    void add_pass(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
+                  const LayerPart& part, const std::string& name, const Reads& reads,
+                  int block_stride) const;
 };
 
 }  // namespace opacity::techniques

@@ -68,17 +68,22 @@ class LayerPlanes {
 // What a map's channels hold: lib/layer_map.glsl.
 class LayerMap {
    public:
-    LayerMap(PassContext& context, const DrawnLayers& drawn)
-        : values_{context.memory<float>(drawn.map)},
-          texel_count_{std::size_t(drawn.map.desc().width) * drawn.map.desc().height},
+    LayerMap(PassContext& context, const DrawnLayers& drawn, bool planes, bool moments)
+        : texel_count_{std::size_t(drawn.map.desc().width) * drawn.map.desc().height},
           format_{drawn.map.desc().format},
           unit_{drawn.unit()},
           drawn_{drawn} {
-        if (drawn.moments) moments_ = context.memory<float>(*drawn.moments);
+        if (planes) values_ = context.memory<float>(drawn.map);
+        if (moments) moments_ = context.memory<float>(*drawn.moments);
     }
+    LayerMap(PassContext& context, const DrawnLayers& drawn)
+        : LayerMap{context, drawn, true, drawn.moments != nullptr} {}
 
     float& at(std::size_t texel, const Slot& slot) const { return values_[index_of(texel, slot)]; }
     float& plane(std::size_t texel, int k) const { return at(texel, drawn_.slot_of(k)); }
+    // Whether plane k is the first of four in an image.
+    bool begins_image(int k) const { return drawn_.slot_of(k).channel == 0; }
+    bool has_planes() const { return !values_.empty(); }
     bool has_moments() const { return !moments_.empty(); }
     // Of optical depth times position in front of plane k > 0.
     float& moment(std::size_t texel, int k) const {
@@ -115,7 +120,9 @@ class LayerMap {
     const DrawnLayers& drawn_;
 };
 
-// First each layer's own optical depth, then the sum of all before: one write a fragment.
+// First each layer's own optical depth, then the sum of all before: one write a fragment. Sums go
+// on from what the map has kept of the image before, so that they do not depend on how many images
+// a pass writes.
 class LayerSums {
    public:
     LayerSums(const LayerPlanes& planes, const LayerMap& map, int first_plane, int last_plane)
@@ -129,9 +136,11 @@ class LayerSums {
         const float begin = planes_.position(texel, fragment.depth);
         const float end = planes_.position(texel, fragment.depth_end);
         int k = std::max(layer_of(planes, begin) + 1, first_plane_);
-        for (float so_far = 0.f, moment = 0.f; k <= last_plane_ && so_far < 1.f; ++k) {
+        float so_far = k > 1 ? counted_at(planes, k - 1, begin, end) : 0.f;
+        float moment = so_far * mean_in_front(planes, k - 1, begin, end);
+        for (; k <= last_plane_ && so_far < 1.f; ++k) {
             const float part = end > begin ? counted_at(planes, k, begin, end) : 1.f;
-            map_.plane(texel, k) += map_.added(optical_depth, part, so_far);
+            if (map_.has_planes()) map_.plane(texel, k) += map_.added(optical_depth, part, so_far);
             so_far = part;
             if (!map_.has_moments()) continue;
             const float here = part * mean_in_front(planes, k, begin, end);
@@ -142,9 +151,14 @@ class LayerSums {
     void accumulate(std::size_t texel) {
         double sum = 0.0, moments = 0.0;
         for (int k = first_plane_; k <= last_plane_; ++k) {
-            sum += double(map_.plane(texel, k));
-            map_.plane(texel, k) = map_.kept(float(sum));
+            const bool begins_image = k > 1 && map_.begins_image(k);
+            if (map_.has_planes()) {
+                if (begins_image) sum = double(map_.plane(texel, k - 1));
+                sum += double(map_.plane(texel, k));
+                map_.plane(texel, k) = map_.kept(float(sum));
+            }
             if (!map_.has_moments()) continue;
+            if (begins_image) moments = double(map_.moment(texel, k - 1));
             moments += double(map_.moment(texel, k));
             map_.moment(texel, k) = float(moments);
         }
@@ -249,16 +263,16 @@ class LayeredTexels : public TexelMap {
 
 }  // namespace
 
-OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
-                    int target_count, int block_stride) {
+OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, const LayerPart& part,
+                    int block_stride) {
     return [=](PassContext& context) {
         const LayerPlanes planes{context, drawn};
-        const LayerMap map{context, drawn};
+        const LayerMap map{context, drawn, part.planes, part.moments};
         int first_plane = 1, last_plane = 0;  // those that stand in these targets
         for (int k = 1; k <= planes.last_plane(); ++k) {
             const int target = int(drawn.slot_of(k).target);
-            if (target < first_target) first_plane = k + 1;
-            if (target < first_target + target_count) last_plane = k;
+            if (target < part.first_target) first_plane = k + 1;
+            if (target < part.first_target + part.target_count) last_plane = k;
         }
         LayerSums layers{planes, map, first_plane, last_plane};
         const auto is_sampled = [block_stride](int i) { return i / 4 % block_stride == 0; };
@@ -270,7 +284,7 @@ OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int fi
             for (std::size_t i = 0; i < row_texels; ++i) {
                 const std::size_t texel = row * row_texels + i;
                 layers.accumulate(texel);
-                if (drawn.is_packed && first_target == 0)
+                if (drawn.is_packed && part.planes && part.first_target == 0)
                     map.at(texel, {0, 3}) = planes.start(texel);
             }
         });

@@ -12,10 +12,9 @@ namespace opacity::techniques {
 
 using OnCpu = std::function<void(PassContext&)>;
 
-// Fills `target_count` layers of the map from `first_target` on; of one block of 4 x 4 texels in
-// every `block_stride`, both ways.
-OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, int first_target,
-                    int target_count, int block_stride);
+// Fills a part of the layers; of one block of 4 x 4 texels in every `block_stride`, both ways.
+OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, const LayerPart& part,
+                    int block_stride);
 
 // Of a swept map: plane k follows plane k - 4, in whose place it comes; slice.frag.glsl.
 std::function<void(PassContext&, int plane, const ShapeFilter&)> plane_on_cpu(

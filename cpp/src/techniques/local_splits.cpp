@@ -77,7 +77,7 @@ void LocalSearch::score_on_cpu(PassContext& context) const {
         };
         for (std::size_t trial = 0; trial < score_channels; ++trial)
             found[place_of(count, texel, trial)] = !(one.optical_depth() > 0.f) ? 0.f
-                                                   : trial < split_trials ? score(trial)
+                                                   : trial < split_trials       ? score(trial)
                                                                           : one.optical_depth();
     });
 }
@@ -132,9 +132,13 @@ LocalCurves add_local_splits(FrameGraph& graph, const ShadowInputs& inputs,
     regions.width = (regions.width + region_px - 1) / region_px;
     regions.height = (regions.height + region_px - 1) / region_px;
     const LocalSearch local{
-        search.measure(inputs), histogram, planes, bias,
+        search.measure(inputs),
+        histogram,
+        planes,
+        bias,
         graph.texture("split_scores", inputs.map(Format::rgba32f, score_layers)),
-        graph.texture("split_ratios", regions), region_px};
+        graph.texture("split_ratios", regions),
+        region_px};
     graph.add({.name = "split_scores",
                .shader = {.compute = "split_scores.comp.glsl",
                           .defines = local.defines(search.similarity)},

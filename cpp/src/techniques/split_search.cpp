@@ -57,21 +57,20 @@ double relative_bias(const ShadowInputs& inputs, const AutoParam<double>& bias) 
 void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
                               const DrawnLayers& histogram,
                               Value<std::vector<float>>& planes) const {
-    graph.add(
-        {.name = "split_search",
-         .only_with = &inputs.translucent,
-         .reads = {&histogram.map, &histogram.planes, histogram.span.start, histogram.span.end,
-                   &layers, &similarity, &bias, &own_correction, &interpolation, &request},
-         .values = {&planes},
-         .execute = [search = *this, measure = measure(inputs), histogram, &planes,
-                     bias_ls = relative_bias(inputs, bias)](PassContext& context) {
-             const Sample fine{context, histogram, bias_ls};
-             const int count = search.layers.get();
-             const std::size_t trial =
-                 find_split_trial(FineProfiles{fine.profiles()}, count, measure);
-             context.set(planes, layer_planes(count, trial_ratio(trial)));
-             context.note(ratio_text("split ratio", trial));
-         }});
+    graph.add({.name = "split_search",
+               .only_with = &inputs.translucent,
+               .reads = {&histogram.map, &histogram.planes, histogram.span.start,
+                         histogram.span.end, &layers, &similarity, &bias, &own_correction,
+                         &interpolation, &paper_lut, &request},
+               .values = {&planes},
+               .execute = [search = *this, measure = measure(inputs), histogram, &planes,
+                           bias_ls = relative_bias(inputs, bias)](PassContext& context) {
+                   const Sample fine{context, histogram, bias_ls};
+                   const std::size_t trial = find_split_trial(FineProfiles{fine.profiles()},
+                                                              search.layers.get(), measure);
+                   context.set(planes, search.planes(trial_ratio(trial)));
+                   context.note(ratio_text("split ratio", trial));
+               }});
 }
 
 SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInputs& inputs,
@@ -87,6 +86,7 @@ SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInpu
                                     bias.revision(),
                                     own_correction.revision(),
                                     interpolation.revision(),
+                                    paper_lut.revision(),
                                     Revision{inputs.paper_deposit},
                                     request.revision()};
     // The opaque casters of this frame are drawn later: that they moved shows in the next one.
@@ -101,7 +101,7 @@ SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInpu
     const std::size_t trial = scores.size() < split_trials
                                   ? scores.size()
                                   : best_trial(scores, Similarity(similarity.index()));
-    planes.set(layer_planes(layers.get(), trial_ratio(trial)));
+    planes.set(this->planes(trial_ratio(trial)));
     return trials;
 }
 
@@ -121,6 +121,7 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
                 &bias,
                 &own_correction,
                 &interpolation,
+                &paper_lut,
                 &request};
     if (drawn.moments) reads.push_back(drawn.moments);
     if (has_fine) reads.insert(reads.end(), {&fine.map, &fine.planes});

@@ -22,14 +22,19 @@ struct SplitSearch {
     const AutoParam<double>& bias;
     const Param<bool>& own_correction;
     const Choice& interpolation;
+    const Param<bool>& paper_lut;
     const Source& request;
+    std::vector<float> planes(double ratio) const {
+        return layer_planes(layers.get(), ratio, paper_lut.get());
+    }
     Interpolation between;  // what `interpolation` means for these casters
 
     SplitMeasure measure(const ShadowInputs& inputs) const {
         return {Similarity(similarity.index()),
                 {own_correction.get() && !inputs.paper_deposit,
                  between == Interpolation::mean_depth_of_few},
-                between != Interpolation::linear};
+                between != Interpolation::linear,
+                paper_lut.get()};
     }
 
     // One frame: sets `planes` to those of the best ratio.

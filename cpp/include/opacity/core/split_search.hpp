@@ -28,6 +28,7 @@ struct SplitMeasure {
     Similarity similarity = Similarity::error;
     LayerLookUp look_up = {};  // of `error`
     bool has_moments = false;  // of layers that are rebinned
+    bool paper_lut = false;    // at whose planes they are
 };
 
 // The score of a trial: the least is the best. `fine` counts for `error` alone.

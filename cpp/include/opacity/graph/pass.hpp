@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,12 +41,17 @@ using Reads = std::vector<const Source*>;
 struct Target {
     Texture* texture = nullptr;
     int layer = 0;
-    Target(Texture* t, int l = 0) : texture{t}, layer{l} {}  // NOLINT: {&texture} reads as a target
+    std::optional<float4> clear_color = {};  // none: that of the pass's state
+    // NOLINTNEXTLINE: {&texture} reads as a target
+    Target(Texture* t, int l = 0, std::optional<float4> clear = {})
+        : texture{t}, layer{l}, clear_color{clear} {}
     bool operator==(const Target&) const = default;
 };
 
 enum class Depth { off, less, greater };
-enum class Blend { off, add, over };  // over: premultiplied colours, the farthest first
+// over: premultiplied colours, the farthest first; bounds: the least in the first target, and the
+// largest in the others.
+enum class Blend { off, add, over, bounds };
 
 // Which primitives of each shape are drawn, in which order: as they are stored; the farthest from
 // the view first; or of a strand (else primitive) number modulo `parts` only those that are `part`.
@@ -62,7 +68,8 @@ struct State {
     float clear_depth = 1.f;
     float4 clear_color = {0.f, 0.f, 0.f, 0.f};
     Selection selection = {};
-    bool largest_alpha = false;  // of the first target the largest alpha remains, not the sum
+    bool largest_alpha = false;      // of the first target the largest alpha remains, not the sum
+    bool swaps_depth_range = false;  // gl_DepthRange is from 1 to 0
     bool operator==(const State&) const = default;
 };
 
