@@ -77,7 +77,8 @@ def clocked(monkeypatch: pytest.MonkeyPatch) -> Callable[[float], None]:
 
 
 @pytest.mark.parametrize(
-    ("ms_a_layer", "layers", "fits"), [(1.0, 32, True), (0.5, 64, True), (2.5, 12, True), (40, 1, False)]
+    ("ms_a_layer", "layers", "fits"),
+    [(1.0, 32, True), (0.5, 64, True), (2.5, 12, True), (40, 1, False)],
 )
 def test_layers_grow_while_the_frame_holds(
     clocked: Callable[[float], None], ms_a_layer: float, layers: int, fits: bool
@@ -164,7 +165,10 @@ def test_the_command_prints_each_trial_and_the_choice(capsys: pytest.CaptureFixt
     *trials, choice = capsys.readouterr().out.splitlines()
     assert choice.startswith("--technique bounding_opacity_maps --param layers=")
     assert trials[0].startswith("   1 layers  error 0.")
-    assert {line.partition("  ")[2].rpartition("  ")[2] for line in trials} == {"fits", "does not fit"}
+    assert {line.partition("  ")[2].rpartition("  ")[2] for line in trials} == {
+        "fits",
+        "does not fit",
+    }
 
 
 def test_the_command_tells_a_program_the_same(capsys: pytest.CaptureFixture[str]) -> None:

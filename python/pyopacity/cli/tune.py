@@ -63,7 +63,9 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _print(trial: LayerTrial) -> None:
     cost = f"{trial.ms:8.1f} ms" if trial.error is None else f"error {trial.error:.4f}"
-    print(f"{trial.layers:4d} layers  {cost}  {'fits' if trial.fits else 'does not fit'}", flush=True)
+    print(
+        f"{trial.layers:4d} layers  {cost}  {'fits' if trial.fits else 'does not fit'}", flush=True
+    )
 
 
 def _tell(arguments: argparse.Namespace, choice: LayerChoice) -> None:
