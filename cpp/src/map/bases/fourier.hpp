@@ -1,0 +1,43 @@
+// 1, cos 2 pi z, sin 2 pi z, cos 4 pi z ..: Jansen and Bavoil 2010, equations 1 to 3, 5 and 6, whose
+// factors 2 stand in g. With an even number of coefficients the last sine is left out. GLSL:
+// lib/bases/fourier.glsl.
+#pragma once
+
+#include "map/basis.hpp"
+#include "map/harmonics.hpp"
+
+namespace opacity::fourier {
+
+inline void means(float begin, float end, std::span<float> f) {
+    f[0] = 1.f;
+    const float half_turns = 0.5f * (end - begin);
+    const Turn middle = turn_of(begin + half_turns), width = turn_of(half_turns);
+    Turn at, wide;
+    for (std::size_t k = 1; 2 * k - 1 < f.size(); ++k) {
+        at = turned(at, middle), wide = turned(wide, width);
+        const float mean = spread(wide.sine, two_pi * half_turns * float(k));
+        f[2 * k - 1] = at.cosine * mean;
+        if (2 * k < f.size()) f[2 * k] = at.sine * mean;
+    }
+}
+
+inline void integrals(float d, std::span<float> g) {
+    g[0] = d;
+    const Turn step = turn_of(d);
+    Turn at;
+    for (std::size_t k = 1; 2 * k - 1 < g.size(); ++k) {
+        at = turned(at, step);
+        const float scale = 2.f / (two_pi * float(k));
+        g[2 * k - 1] = scale * at.sine;
+        if (2 * k < g.size()) g[2 * k] = scale * (1.f - at.cosine);
+    }
+}
+
+inline float whole(std::size_t k) { return k == 0 ? 1.f : 0.f; }
+inline double frequency(std::size_t k) { return double((k + 1) / 2); }
+// Else a caster at one end loses half of its shadow to the other.
+inline double margin(std::size_t count) { return 1.0 / (3.0 * frequency(count - 1)); }
+
+inline constexpr Basis basis{"fourier", means, integrals, whole, frequency, margin};
+
+}  // namespace opacity::fourier
