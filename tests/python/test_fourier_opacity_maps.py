@@ -119,9 +119,7 @@ def test_a_sheet_is_its_series(device: str, basis: str, request: pytest.FixtureR
 
 @DEVICES
 @pytest.mark.parametrize("basis", BASES)
-def test_intervals_are_integrated(
-    device: str, basis: str, request: pytest.FixtureRequest
-) -> None:
+def test_intervals_are_integrated(device: str, basis: str, request: pytest.FixtureRequest) -> None:
     """Of an even medium, and of one as thin as float32 can tell."""
     if device == "gpu":
         request.getfixturevalue("needs_gl")
@@ -207,7 +205,9 @@ def test_passes_grow_as_those_of_slices_do() -> None:
 
 def change(scene: po.Scene, other: po.Scene, shape: po.Shape, name: str, **parameters: Any):
     """RMSE between T of one shape in two scenes."""
-    return rmse(asked(scene, shape, name=name, **parameters) - asked(other, shape, name=name, **parameters))
+    return rmse(
+        asked(scene, shape, name=name, **parameters) - asked(other, shape, name=name, **parameters)
+    )
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,8 @@
 //         what a caster of optical depth 1 adds to each
 //     struct Sums, Sums sums_at(float x), void add(inout Sums sums, int k, float c)
 //     float whole_optical_depth(Sums sums)   of all casters
-//     float optical_depth_before(Sums sums)  of those in front of x, or about
+//     float optical_depth_before(Sums sums, float all)  of those in front of x, or about; `all`: of
+//         the texel, with what was taken out
 // Places are positions among the texel's layers, 0 .. 1. C++: techniques/coefficients_on_cpu.cpp,
 // map/expansion.hpp.
 
@@ -58,7 +59,7 @@ float texel_optical_depth(ivec2 texel, float depth, OwnDeposit own) {
     if (!(depth > layers.start)) return 0.0;
     Sums others = sums_of_others(texel, layers, depth, own);
     float of_others = whole_optical_depth(others), all = max(of_others + own.optical_depth, 0.0);
-    float before = depth < layers.end ? optical_depth_before(others) : of_others;
+    float before = depth < layers.end ? optical_depth_before(others, all) : of_others;
     return clamp(before, 0.0, all) + min(own_in_front(own, depth), all);
 }
 

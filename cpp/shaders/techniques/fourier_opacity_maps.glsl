@@ -40,7 +40,7 @@ void add(inout Sums sums, int k, float c) {
 }
 
 float whole_optical_depth(Sums sums) { return sums.whole; }
-float optical_depth_before(Sums sums) { return sums.before; }
+float optical_depth_before(Sums sums, float all) { return sums.before; }
 #endif
 
 #include "lib/coefficients.glsl"

@@ -49,7 +49,7 @@ float Series::optical_depth(std::span<const float> c) const {
 }
 
 // T(d) = exp(-sum a_k g_k(d)).
-float Series::optical_depth_before(float x, std::span<const float> c) const {
+float Series::optical_depth_before(float x, std::span<const float> c, float /*all*/) const {
     std::array<float, most_coefficients> storage;
     const std::span<float> g = std::span{storage}.first(c.size());
     basis_.integrals(inset(x), g);

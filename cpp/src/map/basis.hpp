@@ -40,7 +40,7 @@ class Series : public Expansion {
 
     void of_caster(float begin, float end, std::span<float> c) const override;
     float optical_depth(std::span<const float> c) const override;
-    float optical_depth_before(float x, std::span<const float> c) const override;
+    float optical_depth_before(float x, std::span<const float> c, float all) const override;
 
    private:
     float inset(float x) const { return inset_ * (1.f - x) + (1.f - inset_) * x; }

@@ -17,8 +17,8 @@ class Expansion {
     virtual void of_caster(float begin, float end, std::span<float> c) const = 0;
     // Of all casters.
     virtual float optical_depth(std::span<const float> c) const = 0;
-    // Of those in front, or about.
-    virtual float optical_depth_before(float x, std::span<const float> c) const = 0;
+    // Of those in front, or about; `all`: of the texel, with what was taken out.
+    virtual float optical_depth_before(float x, std::span<const float> c, float all) const = 0;
 };
 
 }  // namespace opacity

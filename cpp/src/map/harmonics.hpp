@@ -1,5 +1,5 @@
-// Cosine and sine of the multiples of an angle: each is the one before, turned once more (Jansen and
-// Bavoil 2010, section 4.1). The angle is reduced first, since float32 rounds large ones. GLSL:
+// Cosine and sine of the multiples of an angle: each is the one before, turned once more (Jansen
+// and Bavoil 2010, section 4.1). The angle is reduced first, since float32 rounds large ones. GLSL:
 // lib/harmonics.glsl.
 #pragma once
 
@@ -27,6 +27,8 @@ inline Turn turned(const Turn& turn, const Turn& by) {
 
 // How much smaller a harmonic is on average over an interval than in its middle: sin(x) / x. A
 // point, which takes no turn, is not.
-inline float spread(float sine, float angle) { return angle > 0.f ? sine / angle : 1.f; }
+inline float spread(float sine, float angle) {
+    return angle > 0.f ? sine / angle : 1.f;
+}
 
 }  // namespace opacity

@@ -42,7 +42,8 @@ Coefficients CoefficientMaps::add_coefficients(FrameGraph& graph, const ShadowIn
         Defines defines = defines_of(coefficients, {{"PASS_coefficients", "1"},
                                                     {"TARGETS", std::to_string(count)},
                                                     {"FIRST_TARGET", std::to_string(first)}});
-        const std::string part = first == 0 ? "" : "_" + std::to_string(first / targets_per_pass + 1);
+        const std::string part =
+            first == 0 ? "" : "_" + std::to_string(first / targets_per_pass + 1);
         graph.add({.name = "coefficients" + part,
                    .shader = inputs.caster_shader(shader_path(), true, std::move(defines)),
                    .draws = &inputs.translucent,
@@ -55,17 +56,17 @@ Coefficients CoefficientMaps::add_coefficients(FrameGraph& graph, const ShadowIn
     const auto kind = static_cast<Prefilter>(prefilter.index());
     Texture& filtered =
         add_prefilter(graph, inputs, coefficients.map, kind, prefilter_radius.get());
-    return {filtered,           coefficients.count,   coefficients.span,
-            coefficients.expansion, coefficients.reads, coefficients.defines,
-            kind != Prefilter::none};
+    return {
+        filtered,           coefficients.count,   coefficients.span,      coefficients.expansion,
+        coefficients.reads, coefficients.defines, kind != Prefilter::none};
 }
 
 LookUp CoefficientMaps::coefficients_look_up(const ShadowInputs& inputs,
                                              const Coefficients& coefficients, Reads more,
                                              Defines defines) const {
     more.push_back(&coefficients.map);
-    LookUp result = look_up(inputs, reads_of(coefficients, std::move(more)),
-                            look_up_on_cpu(coefficients));
+    LookUp result =
+        look_up(inputs, reads_of(coefficients, std::move(more)), look_up_on_cpu(coefficients));
     for (auto& define : defines_of(coefficients, std::move(defines)))
         result.defines.push_back(std::move(define));
     // Once averaged, a caster's own part lies around it, too.

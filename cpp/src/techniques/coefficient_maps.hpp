@@ -1,5 +1,5 @@
-// What all techniques share whose texels keep sums over their casters, each of optical depth times a
-// function of where it lies: the passes that sum, 32 at a time, and the look-up. A technique says
+// What all techniques share whose texels keep sums over their casters, each of optical depth times
+// a function of where it lies: the passes that sum, 32 at a time, and the look-up. A technique says
 // what the sums mean: map/expansion.hpp, lib/coefficients.glsl.
 #pragma once
 
@@ -27,17 +27,19 @@ struct Coefficients {
 
 class CoefficientMaps : public OwnCorrected {
    public:
-    Choice prefilter{*this,
-                     "prefilter",
-                     {"none", "box", "gaussian", "mip-chain"},
-                     "Averages the maps once, whatever looks them up: the mean density of the texels "
-                     "around each; without own_correction."};
-    Param<int> prefilter_radius{*this,
-                                "prefilter_radius",
-                                1,
-                                {1, most_prefilter_texels},
-                                "Texels to each side of a prefilter: 16 is 33 x 33; of a mip-chain, "
-                                "the level whose texels are about as wide."};
+    Choice prefilter{
+        *this,
+        "prefilter",
+        {"none", "box", "gaussian", "mip-chain"},
+        "Averages the maps once, whatever looks them up: the mean density of the texels "
+        "around each; without own_correction."};
+    Param<int> prefilter_radius{
+        *this,
+        "prefilter_radius",
+        1,
+        {1, most_prefilter_texels},
+        "Texels to each side of a prefilter: 16 is 33 x 33; of a mip-chain, "
+        "the level whose texels are about as wide."};
 
    protected:
     using OwnCorrected::OwnCorrected;

@@ -33,7 +33,7 @@ class CoefficientTexels : public TexelMap {
         const float all = std::max(of_others + own.optical_depth, 0.f);
         float before = of_others;
         if (depth < spans_.end(texel))
-            before = expansion_->optical_depth_before(spans_.position(texel, depth), c);
+            before = expansion_->optical_depth_before(spans_.position(texel, depth), c, all);
         return std::clamp(before, 0.f, all) + std::min(own_in_front(own, depth), all);
     }
 
@@ -74,8 +74,8 @@ std::function<void(PassContext&)> coefficients_on_cpu(const ShadowInputs& inputs
                 map[k / 4 * layer + 4 * texel + k % 4] += fragment.optical_depth * c[k];
         });
         if (coefficients.map.desc().format != Format::rgba16f) return;
-        const auto here = map.subspan(std::size_t(first_target) * layer,
-                                      std::size_t(target_count) * layer);
+        const auto here =
+            map.subspan(std::size_t(first_target) * layer, std::size_t(target_count) * layer);
         std::transform(here.begin(), here.end(), here.begin(), rounded_to_half);
     };
 }

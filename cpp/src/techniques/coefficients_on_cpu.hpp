@@ -1,4 +1,5 @@
-// Coefficient maps without OpenGL, for Pass::on_cpu and LookUp::on_cpu. GLSL: lib/coefficients.glsl.
+// Coefficient maps without OpenGL, for Pass::on_cpu and LookUp::on_cpu. GLSL:
+// lib/coefficients.glsl.
 #pragma once
 
 #include <functional>

@@ -10,8 +10,9 @@ namespace opacity::techniques {
 
 LookUp FourierOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     if (bounds.is("per_texel") && !prefilter.is("none"))
-        throw ParameterError(name() + ".bounds = per_texel has no mean of neighbours, whose depths differ",
-                             "set prefilter = none, and filter_radius instead; or bounds = global");
+        throw ParameterError(
+            name() + ".bounds = per_texel has no mean of neighbours, whose depths differ",
+            "set prefilter = none, and filter_radius instead; or bounds = global");
     const Coefficients drawn = add_coefficients(graph, inputs, series(graph, inputs));
     if (window.is("none")) return coefficients_look_up(inputs, drawn);
     auto& factors = graph.value("window_factors", std::vector<float>{});

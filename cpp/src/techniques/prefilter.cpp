@@ -99,8 +99,7 @@ void halve(const LevelTexels& from, const LevelTexels& to, int level, int map_si
         for (int i = 0; i < 4; ++i) {
             const Place there{2 * place[0] + i % 2, 2 * place[1] + i / 2};
             if (there[0] >= from.side || there[1] >= from.side) continue;
-            mean.add(from.at(layer, face, there),
-                     float(length_of(there[0]) * length_of(there[1])));
+            mean.add(from.at(layer, face, there), float(length_of(there[0]) * length_of(there[1])));
         }
         return mean.get();
     });
@@ -119,8 +118,8 @@ void spread(const LevelTexels& from, const LevelTexels& to, int level) {
         for (int i = 0; i < 4; ++i) {
             const Place there{std::clamp(below[0] + i % 2, 0, from.side - 1),
                               std::clamp(below[1] + i / 2, 0, from.side - 1)};
-            mean.add(from.at(layer, face, there), (i % 2 ? part[0] : 1.f - part[0]) *
-                                                      (i / 2 ? part[1] : 1.f - part[1]));
+            mean.add(from.at(layer, face, there),
+                     (i % 2 ? part[0] : 1.f - part[0]) * (i / 2 ? part[1] : 1.f - part[1]));
         }
         return mean.sum;
     });

@@ -1,5 +1,5 @@
-// Coefficient maps whose texels are means of those around them, within a face: means of the casters'
-// density (Jansen and Bavoil 2010, section 6).
+// Coefficient maps whose texels are means of those around them, within a face: means of the
+// casters' density (Jansen and Bavoil 2010, section 6).
 #pragma once
 
 #include "opacity/technique.hpp"

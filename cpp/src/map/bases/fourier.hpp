@@ -1,5 +1,5 @@
-// 1, cos 2 pi z, sin 2 pi z, cos 4 pi z ..: Jansen and Bavoil 2010, equations 1 to 3, 5 and 6, whose
-// factors 2 stand in g. With an even number of coefficients the last sine is left out. GLSL:
+// 1, cos 2 pi z, sin 2 pi z, cos 4 pi z ..: Jansen and Bavoil 2010, equations 1 to 3, 5 and 6,
+// whose factors 2 stand in g. With an even number of coefficients the last sine is left out. GLSL:
 // lib/bases/fourier.glsl.
 #pragma once
 
@@ -33,10 +33,16 @@ inline void integrals(float d, std::span<float> g) {
     }
 }
 
-inline float whole(std::size_t k) { return k == 0 ? 1.f : 0.f; }
-inline double frequency(std::size_t k) { return double((k + 1) / 2); }
+inline float whole(std::size_t k) {
+    return k == 0 ? 1.f : 0.f;
+}
+inline double frequency(std::size_t k) {
+    return double((k + 1) / 2);
+}
 // Else a caster at one end loses half of its shadow to the other.
-inline double margin(std::size_t count) { return 1.0 / (3.0 * frequency(count - 1)); }
+inline double margin(std::size_t count) {
+    return 1.0 / (3.0 * frequency(count - 1));
+}
 
 inline constexpr Basis basis{"fourier", means, integrals, whole, frequency, margin};
 

@@ -16,15 +16,14 @@ inline float next(std::size_t k, float by_t, float before) {
 }
 
 // Over an interval of half length h about m, t P_k has the mean m A + h^2 D, and the difference
-// m D + A. So no digits are lost, however short it is. D of P_(k + 1) less D of P_(k - 1) is 2 k + 1
-// times the mean of P_k.
+// m D + A. So no digits are lost, however short it is. D of P_(k + 1) less D of P_(k - 1) is 2 k +
+// 1 times the mean of P_k.
 inline void means(float begin, float end, std::span<float> f) {
     const float m = begin + end - 1.f, h = end - begin;
     OverInterval before, here{1.f, 0.f};
     for (std::size_t k = 0; k < f.size(); ++k) {
-        const OverInterval ahead{
-            next(k, m * here.mean + h * h * here.difference, before.mean),
-            next(k, m * here.difference + here.mean, before.difference)};
+        const OverInterval ahead{next(k, m * here.mean + h * h * here.difference, before.mean),
+                                 next(k, m * here.difference + here.mean, before.difference)};
         f[k] = (ahead.difference - before.difference) / float(2 * k + 1);
         before = here, here = ahead;
     }
@@ -41,9 +40,15 @@ inline void integrals(float d, std::span<float> g) {
     }
 }
 
-inline float whole(std::size_t k) { return k == 0 ? 1.f : 0.f; }
-inline double frequency(std::size_t k) { return double(k); }
-inline double margin(std::size_t) { return 0.0; }
+inline float whole(std::size_t k) {
+    return k == 0 ? 1.f : 0.f;
+}
+inline double frequency(std::size_t k) {
+    return double(k);
+}
+inline double margin(std::size_t) {
+    return 0.0;
+}
 
 inline constexpr Basis basis{"legendre", means, integrals, whole, frequency, margin};
 

@@ -29,9 +29,15 @@ inline void integrals(float d, std::span<float> g) {
         g[k] = std::clamp(d * float(g.size()) - float(k), 0.f, 1.f);
 }
 
-inline float whole(std::size_t) { return 1.f; }
-inline double frequency(std::size_t) { return 0.0; }
-inline double margin(std::size_t) { return 0.0; }
+inline float whole(std::size_t) {
+    return 1.f;
+}
+inline double frequency(std::size_t) {
+    return 0.0;
+}
+inline double margin(std::size_t) {
+    return 0.0;
+}
 
 inline constexpr Basis basis{"piecewise_constant", means, integrals, whole, frequency, margin};
 
