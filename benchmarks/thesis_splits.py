@@ -1,4 +1,4 @@
-"""The thesis's tables A.11.1 to A.11.6 and 5.2.3.1 on generated scenes: picked ratios, correlations.
+"""The ratios of the tables A.11.1 to A.11.6 and 5.2.3.1 of the thesis, on generated scenes.
 
     python benchmarks/thesis_splits.py [--map-size 256] > table.md
 

@@ -26,9 +26,10 @@ def scene_of(name: str) -> po.Scene:
 def two_clusters() -> po.Scene:
     """Two dense clouds of threads with a lone thread far behind, which stretches every bound."""
     random = np.random.default_rng(3)
-    roots = random.normal(0.0, 0.5, (1500, 1, 3)) + np.array([0, 0, 4.0]) * (np.arange(1500) % 2)[
-        :, None, None
-    ]
+    roots = (
+        random.normal(0.0, 0.5, (1500, 1, 3))
+        + np.array([0, 0, 4.0]) * (np.arange(1500) % 2)[:, None, None]
+    )
     points = roots + np.linspace(-1, 1, 4)[:, None] * random.normal(0, 0.3, (1500, 1, 3))
     far = np.array([[[-1, 0, -30], [-0.3, 0, -30], [0.3, 0, -30], [1, 0, -30]]], float)
     every = np.concatenate([points, far]).reshape(-1, 3)

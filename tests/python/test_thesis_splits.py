@@ -86,4 +86,4 @@ def test_correlation_rises_with_layers(scenes: Scenes, ratio: float) -> None:
             for layers in (4, 8, 16, 32)
         ]
         assert found == sorted(found) and found[-1] > found[0] + 0.01
-        assert 0.0 < found[0] and found[-1] < 1.0
+        assert found[0] > 0.0 and found[-1] < 1.0

@@ -1,5 +1,6 @@
-// How many entries the lists of a light's map get from translucent casters, before one is drawn: from
-// sums over the scene, as if what casts lay in all directions alike, and nothing opaque before it.
+// How many entries the lists of a light's map get from translucent casters, before one is drawn:
+// from sums over the scene, as if what casts lay in all directions alike, and nothing opaque before
+// it.
 #pragma once
 
 #include <vector>

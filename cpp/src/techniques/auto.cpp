@@ -76,8 +76,7 @@ Technique::Delegate Auto::delegate(const Scene& scene, const LightSpace& space) 
     const int count = std::min(wanted, too_many_layers - 1);
     return {bounding_maps(count),
             "bounding_opacity_maps, " + std::to_string(count) + " layers: " +
-                (fits ? told("some %.1f entries a texel, error_budget %g", mean,
-                             error_budget.get())
+                (fits ? told("some %.1f entries a texel, error_budget %g", mean, error_budget.get())
                       : told("lists of %.0f MiB exceed memory %g", mib, double(memory.get())))};
 }
 

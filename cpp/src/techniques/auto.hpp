@@ -1,17 +1,18 @@
 // Auto: the technique that a scene is best served by, found before the first pass.
 //
-// Idea: where few translucent casters lie in a texel, the exact lists have no error, take less memory
-// than layers, and are made in less time; where many do, bounding opacity maps err least of all that
-// keep layers, on every scene of docs/comparison.md. How many there will be follows from the scene's
-// lengths and areas. The number of layers follows from `error_budget` by how errors were measured to
-// fall: with the square root of the layers for strands and leaves, faster for particles and volumes.
+// Idea: where few translucent casters lie in a texel, the exact lists have no error, take less
+// memory than layers, and are made in less time; where many do, bounding opacity maps err least of
+// all that keep layers, on every scene of docs/comparison.md. How many there will be follows from
+// the scene's lengths and areas. The number of layers follows from `error_budget` by how errors
+// were measured to fall: with the square root of the layers for strands and leaves, faster for
+// particles and volumes.
 //
-// Cost: that of what it picks; the estimate is made again only when a shape moves. The report has the
-// choice and why in the row "technique".
+// Cost: that of what it picks; the estimate is made again only when a shape moves. The report has
+// the choice and why in the row "technique".
 //
 // Fails: the estimate takes casters for spread over the map and in all directions alike. Where they
-// are not, lists may be longer than thought, never wrong; what was promised of layers was measured on
-// scenes at 512^2, where texels hold up to some 20 casters.
+// are not, lists may be longer than thought, never wrong; what was promised of layers was measured
+// on scenes at 512^2, where texels hold up to some 20 casters.
 #pragma once
 
 #include <map>
