@@ -1,4 +1,4 @@
-"""What summing coefficients costs beside slices with as many channels (Jansen and Bavoil 2010, table 1).
+"""What summing coefficients costs beside slices of as many channels (Jansen and Bavoil 2010).
 
     python benchmarks/coefficient_pass.py [--device cpu] [--only plume] > table.md
 

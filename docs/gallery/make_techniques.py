@@ -33,6 +33,12 @@ WAYS: dict[str, tuple[str, dict[str, Any]]] = {
     "opacity shadow maps, 8 slices": ("opacity_shadow_maps", {"layers": 8}),
     "opacity shadow maps, 64 slices": ("opacity_shadow_maps", {"layers": 64}),
     "shadow map": ("shadow_map", {}),
+    "Fourier opacity maps, 7 coefficients": ("fourier_opacity_maps", {}),
+    "Fourier opacity maps, 15 between bounds": (
+        "fourier_opacity_maps",
+        {"coefficients": 15, "bounds": "per_texel"},
+    ),
+    "moment opacity maps, 4 moments": ("moment_opacity_maps", {}),
 }
 
 

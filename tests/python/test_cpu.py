@@ -39,9 +39,6 @@ TECHNIQUES: list[tuple[str, dict[str, Any]]] = [
     ("fourier_opacity_maps", {"basis": "piecewise_constant", "margin": 0.1}),
     ("fourier_opacity_maps", {"prefilter": "gaussian", "prefilter_radius": 3}),
     ("fourier_opacity_maps", {"prefilter": "mip-chain", "prefilter_radius": 2}),
-    ("moment_opacity_maps", {}),
-    ("moment_opacity_maps", {"moments": 6, "prefilter": "box"}),
-    ("moment_opacity_maps", {"moments": 4, "filter_radius": 1.2, "own_correction": False}),
     ("unshadowed", {}),
 ]
 

@@ -113,6 +113,16 @@ def test_nothing_is_not_a_number(device: str, moments: int, request: pytest.Fixt
             assert np.isfinite(t).all() and t.min() >= 0.0 and t.max() <= 1.0
 
 
+@pytest.mark.parametrize("own_correction", [True, False])
+def test_both_devices_agree(needs_gl: None, own_correction: bool) -> None:
+    """float32 and float64; where a receiver's own deposit is nearly all, little is left to tell."""
+    scene, strands = hair(3000)
+    points = np.asarray(strands.points) + (0.0, 0.0, 0.1)
+    for where in (strands, points):
+        T = [asked(scene, where, d, own_correction=own_correction) for d in ("cpu", "gpu")]
+        assert np.quantile(np.abs(T[0] - T[1]), 0.99) < 1e-4
+
+
 def test_it_errs_less_with_more_moments(errors: Errors) -> None:
     found = [rmse(errors.of(MOM, moments=moments)) for moments in (4, 6, 8)]
     assert found == sorted(found, reverse=True)
