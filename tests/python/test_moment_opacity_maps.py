@@ -120,7 +120,7 @@ def test_both_devices_agree(needs_gl: None, own_correction: bool) -> None:
     points = np.asarray(strands.points) + (0.0, 0.0, 0.1)
     for where in (strands, points):
         T = [asked(scene, where, d, own_correction=own_correction) for d in ("cpu", "gpu")]
-        assert np.quantile(np.abs(T[0] - T[1]), 0.99) < 1e-4
+        assert np.quantile(np.abs(T[0] - T[1]), 0.99) < 1e-3
 
 
 def test_it_errs_less_with_more_moments(errors: Errors) -> None:

@@ -15,7 +15,8 @@
 // Fails: bounds are wide in the midst of many casters, where a series of as many coefficients tells
 // more, and T falls in steps that no caster has. Sums have to be float32: of what 16 bits round
 // nothing is left of the higher moments. Even so these are moved a little toward those of an even
-// layout, and T of 8 moments is rough in the third digit.
+// layout, which blurs more the more there are. Where nearly all of a texel is the receiver's own,
+// what own_correction leaves is too little to tell how it lies, and drivers differ there.
 //
 // Of the paper: power moments; trigonometric ones are not here. It is about what a camera sees;
 // depths are not logarithms, since a light's map is linear.
