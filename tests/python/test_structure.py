@@ -19,6 +19,7 @@ WITHOUT_OPENGL = ["core", "scene", "io", "rays", "map", "graph", "techniques"]
 # Public headers that lie in no room: each belongs beside the last room that it includes.
 ROOM_OF_HEADER = {
     "trace.hpp": "rays",
+    "look_up.hpp": "techniques",
     "technique.hpp": "techniques",
     "technique_description.hpp": "techniques",
     "plugin.hpp": "techniques",
