@@ -53,8 +53,11 @@ class Careless : public Technique {
     std::string_view paper() const override { return "none"; }
     LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override {
         Texture& opacity = graph.texture("opacity", inputs.map(Format::rgba32f, 1));
-        const Defines defines{
-            {"PASS_opacity", "1"}, {"TARGETS", "1"}, {"FIRST_TARGET", "0"}, {"BLOCK_STRIDE", "1"}};
+        const Defines defines{{"PASS_opacity", "1"},
+                              {"WRITES_PLANES", "1"},
+                              {"TARGETS", "1"},
+                              {"FIRST_TARGET", "0"},
+                              {"BLOCK_STRIDE", "1"}};
         graph.add({.name = "deposit",
                    .shader = inputs.caster_shader(shader_path(), true, defines),
                    .draws = &inputs.translucent,

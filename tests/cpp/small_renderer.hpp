@@ -72,6 +72,7 @@ inline double seen_by(const std::string& technique, double transmittance) {
 
 // How far from it a technique may be where its planes do not matter.
 inline double bound_of(const std::string& technique) {
+    if (technique == "fourier_opacity_maps") return 0.1;   // seven coefficients of steps ring
     return technique == "deep_shadow_maps" ? 0.01 : 1e-5;  // its error_bound
 }
 

@@ -6,10 +6,10 @@
 uniform sampler2D t_start, t_end;
 
 TexelLayers texel_layers(ivec2 texel) {
-    return TexelLayers(texelFetch(t_start, texel, 0).x, texelFetch(t_end, texel, 0).x);
+    return TexelLayers(texelFetch(t_start, texel, 0).x, texelFetch(t_end, texel, 0).x, 0);
 }
 #else
-TexelLayers texel_layers(ivec2 texel) { return TexelLayers(0.0, 1.0); }
+TexelLayers texel_layers(ivec2 texel) { return TexelLayers(0.0, 1.0, 0); }
 #endif
 
 // What is left free at both ends of the basis, of its whole.
