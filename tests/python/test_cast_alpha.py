@@ -81,8 +81,10 @@ def test_the_cpu_agrees(needs_gl, name):
         gpu, cpu = (
             behind(leaf, points, name, size, device, **parameters) for device in ("gpu", "cpu")
         )
-        # A texel on an edge within 1/256 texel may be covered in one and not in the other.
-        assert np.mean(np.abs(gpu - cpu) > 1e-4) < 2e-3
+        # A texel on an edge within 1/256 texel may be covered in one and not in the other. Moments
+        # are solved in float32 and in float64.
+        bound = 1e-3 if name == "moment_opacity_maps" else 1e-4
+        assert np.mean(np.abs(gpu - cpu) > bound) < 2e-3
 
 
 @pytest.mark.parametrize("device", ["gpu", "cpu"])
