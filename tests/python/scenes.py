@@ -9,8 +9,8 @@ CASTING = [name for name in po.techniques() if name != "unshadowed"]
 TRANSLUCENT = [name for name in CASTING if name != "shadow_map"]
 # Where T may rise along the light: a series that ends rings.
 RINGING = {"fourier_opacity_maps"}
-# Techniques that keep a few sums of a texel: how far off T is inside an even medium of optical depth 8.
-SUMS_ALONE = {"fourier_opacity_maps": 0.006, "moment_opacity_maps": 0.2}
+# Techniques that keep a few sums of a texel: how far off T is inside an even medium.
+SUMS_ALONE = {"fourier_opacity_maps": 0.01, "moment_opacity_maps": 0.2}
 
 
 def tangle(seed: int = 1, strands: int = 40, points: int = 8, step: float = 1.0):

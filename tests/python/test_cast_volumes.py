@@ -148,7 +148,7 @@ def test_half_of_a_voxel_does_not_count_at_its_own_centre(needs_gl):
             got, _ = answered(scene, column, name, 33, device)
             before = 2.0 * np.r_[0.0, np.cumsum(extinction[:-1, 1, 1])]
             here = np.asarray(got).reshape(6, 3, 3)[:, 1, 1]
-            tolerance = 1e-4 if name == "exact" else 0.05
+            tolerance = 1e-4 if name == "exact" else 0.05 + SUMS_ALONE.get(name, 0.0)
             assert np.abs(here - np.exp(-before)).max() < tolerance, (name, device)
 
 
