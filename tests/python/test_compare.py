@@ -59,7 +59,7 @@ def test_parameters_go_to_those_that_have_them() -> None:
     assert {v.parameters["bias"] for v in plan.variants()} == {0.5}
     assert {v.parameters.get("layers") for v in plan.variants()} == {2, None}
     with pytest.raises(po.ParameterError, match='did you mean "bias"'):
-        Plan(parameters={"bais": 0.5}).variants()
+        Plan(parameters={"bia": 0.5}).variants()
     with pytest.raises(po.ParameterError, match="layers"):
         Plan(layers=(4000,)).variants()
 
