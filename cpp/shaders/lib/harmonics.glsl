@@ -14,6 +14,27 @@ vec2 turned(vec2 turn, vec2 by) {
     return vec2(turn.x * by.x - turn.y * by.y, turn.y * by.x + turn.x * by.y);
 }
 
-// How much smaller a harmonic is on average over an interval than in its middle: sin(x) / x. A point,
+// One harmonic after the other over an interval: in its middle, and half of its width.
+struct Means {
+    vec2 at, wide;       // of the harmonic so far
+    vec2 middle, width;  // of the first
+    float half_turns;
+};
+
+Means harmonics_over(float begin_turns, float end_turns) {
+    float half_turns = 0.5 * (end_turns - begin_turns);
+    vec2 middle = turn_of(begin_turns + half_turns), width = turn_of(half_turns);
+    return Means(vec2(1.0, 0.0), vec2(1.0, 0.0), middle, width, half_turns);
+}
+
+void turn_on(inout Means means) {
+    means.at = turned(means.at, means.middle);
+    means.wide = turned(means.wide, means.width);
+}
+
+// How much smaller a harmonic is on average over the interval than in its middle: sin(x) / x. A point,
 // which takes no turn, is not.
-float spread(float sine, float angle) { return angle > 0.0 ? sine / angle : 1.0; }
+float spread_of(Means means, int harmonic) {
+    float angle = two_pi * means.half_turns * float(harmonic);
+    return angle > 0.0 ? means.wide.y / angle : 1.0;
+}

@@ -12,18 +12,29 @@
 
 namespace opacity {
 
+// Where f_0 is 1, the integrals of all others over everything are 0.
+inline float first_whole(std::size_t k) {
+    return k == 0 ? 1.f : 0.f;
+}
+inline double own_number(std::size_t k) {
+    return double(k);
+}
+inline double no_margin(std::size_t) {
+    return 0.0;
+}
+
 struct Basis {
     std::string_view name;
     // The mean of each f_k from begin to end; of a point, f_k there.
     void (*means)(float begin, float end, std::span<float> f);
     // Each g_k, from 0 to d, and g_k(1).
     void (*integrals)(float d, std::span<float> g);
-    float (*whole)(std::size_t k);
+    float (*whole)(std::size_t k) = first_whole;
     // How often f_k swings; 0 where it does not ring.
-    double (*frequency)(std::size_t k);
+    double (*frequency)(std::size_t k) = own_number;
     // What is best left free at each end, in parts of the depths: the ends of a basis that goes
     // round are neighbours.
-    double (*margin)(std::size_t count);
+    double (*margin)(std::size_t count) = no_margin;
 };
 
 // The default first.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace opacity {
@@ -25,10 +26,30 @@ inline Turn turned(const Turn& turn, const Turn& by) {
             turn.sine * by.cosine + turn.cosine * by.sine};
 }
 
-// How much smaller a harmonic is on average over an interval than in its middle: sin(x) / x. A
-// point, which takes no turn, is not.
-inline float spread(float sine, float angle) {
-    return angle > 0.f ? sine / angle : 1.f;
-}
+// One harmonic after the other over an interval: in its middle, and half of its width.
+class HarmonicMeans {
+   public:
+    HarmonicMeans(float begin_turns, float end_turns)
+        : half_turns_{0.5f * (end_turns - begin_turns)},
+          middle_{turn_of(begin_turns + half_turns_)},
+          width_{turn_of(half_turns_)} {}
+
+    void turn_on() {
+        at_ = turned(at_, middle_);
+        wide_ = turned(wide_, width_);
+    }
+    const Turn& at() const { return at_; }
+    // How much smaller a harmonic is on average over the interval than in its middle: sin(x) / x. A
+    // point, which takes no turn, is not.
+    float spread(std::size_t harmonic) const {
+        const float angle = two_pi * half_turns_ * float(harmonic);
+        return angle > 0.f ? wide_.sine / angle : 1.f;
+    }
+
+   private:
+    float half_turns_;
+    Turn middle_, width_;  // of the first harmonic
+    Turn at_, wide_;       // of that so far
+};
 
 }  // namespace opacity

@@ -33,9 +33,7 @@ class MomentOpacityMaps : public CoefficientMaps {
     MomentOpacityMaps() : CoefficientMaps{"moment_opacity_maps"} {}
 
     std::string_view summary() const override {
-        return "Moments of where the casters of each texel lie; exact for two or three, and T "
-               "never "
-               "rises.";
+        return "Moments of where casters lie in each texel; exact for few, and T never rises.";
     }
     std::string_view paper() const override { return "Muenstermann et al. 2018"; }
     LookUp build(FrameGraph& graph, const ShadowInputs& inputs) override;

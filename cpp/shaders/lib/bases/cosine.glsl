@@ -2,27 +2,17 @@
 // neighbour of what lies at the other end. C++: map/bases/cosine.hpp.
 #include "lib/harmonics.glsl"
 
-struct Means {
-    vec2 at, wide;       // of the harmonic so far
-    vec2 middle, width;  // of the first
-    float half_turns;
-};
 struct Integrals {
     vec2 at, step;
     float d;
 };
 
-Means means_over(float begin, float end) {
-    float half_turns = 0.25 * (end - begin);
-    vec2 middle = turn_of(0.5 * begin + half_turns), width = turn_of(half_turns);
-    return Means(vec2(1.0, 0.0), vec2(1.0, 0.0), middle, width, half_turns);
-}
+Means means_over(float begin, float end) { return harmonics_over(0.5 * begin, 0.5 * end); }
 
 float next_mean(inout Means means, int k) {
     if (k == 0) return 1.0;
-    means.at = turned(means.at, means.middle);
-    means.wide = turned(means.wide, means.width);
-    return means.at.x * spread(means.wide.y, two_pi * means.half_turns * float(k));
+    turn_on(means);
+    return means.at.x * spread_of(means, k);
 }
 
 Integrals integrals_to(float d) { return Integrals(vec2(1.0, 0.0), turn_of(0.5 * d), d); }

@@ -8,12 +8,11 @@
 namespace opacity::cosine {
 
 inline void means(float begin, float end, std::span<float> f) {
-    const float half_turns = 0.25f * (end - begin);
-    const Turn middle = turn_of(0.5f * begin + half_turns), width = turn_of(half_turns);
-    Turn at, wide;
-    for (std::size_t k = 0; k < f.size(); ++k) {
-        f[k] = at.cosine * spread(wide.sine, two_pi * half_turns * float(k));
-        at = turned(at, middle), wide = turned(wide, width);
+    HarmonicMeans harmonics{0.5f * begin, 0.5f * end};
+    f[0] = 1.f;
+    for (std::size_t k = 1; k < f.size(); ++k) {
+        harmonics.turn_on();
+        f[k] = harmonics.at().cosine * harmonics.spread(k);
     }
 }
 
@@ -27,16 +26,6 @@ inline void integrals(float d, std::span<float> g) {
     }
 }
 
-inline float whole(std::size_t k) {
-    return k == 0 ? 1.f : 0.f;
-}
-inline double frequency(std::size_t k) {
-    return double(k);
-}
-inline double margin(std::size_t) {
-    return 0.0;
-}
-
-inline constexpr Basis basis{"cosine", means, integrals, whole, frequency, margin};
+inline constexpr Basis basis{"cosine", means, integrals};
 
 }  // namespace opacity::cosine

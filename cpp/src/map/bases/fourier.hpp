@@ -9,15 +9,12 @@
 namespace opacity::fourier {
 
 inline void means(float begin, float end, std::span<float> f) {
+    HarmonicMeans harmonics{begin, end};
     f[0] = 1.f;
-    const float half_turns = 0.5f * (end - begin);
-    const Turn middle = turn_of(begin + half_turns), width = turn_of(half_turns);
-    Turn at, wide;
     for (std::size_t k = 1; 2 * k - 1 < f.size(); ++k) {
-        at = turned(at, middle), wide = turned(wide, width);
-        const float mean = spread(wide.sine, two_pi * half_turns * float(k));
-        f[2 * k - 1] = at.cosine * mean;
-        if (2 * k < f.size()) f[2 * k] = at.sine * mean;
+        harmonics.turn_on();
+        f[2 * k - 1] = harmonics.at().cosine * harmonics.spread(k);
+        if (2 * k < f.size()) f[2 * k] = harmonics.at().sine * harmonics.spread(k);
     }
 }
 
@@ -33,9 +30,6 @@ inline void integrals(float d, std::span<float> g) {
     }
 }
 
-inline float whole(std::size_t k) {
-    return k == 0 ? 1.f : 0.f;
-}
 inline double frequency(std::size_t k) {
     return double((k + 1) / 2);
 }
@@ -44,6 +38,6 @@ inline double margin(std::size_t count) {
     return 1.0 / (3.0 * frequency(count - 1));
 }
 
-inline constexpr Basis basis{"fourier", means, integrals, whole, frequency, margin};
+inline constexpr Basis basis{"fourier", means, integrals, first_whole, frequency, margin};
 
 }  // namespace opacity::fourier

@@ -40,16 +40,6 @@ inline void integrals(float d, std::span<float> g) {
     }
 }
 
-inline float whole(std::size_t k) {
-    return k == 0 ? 1.f : 0.f;
-}
-inline double frequency(std::size_t k) {
-    return double(k);
-}
-inline double margin(std::size_t) {
-    return 0.0;
-}
-
-inline constexpr Basis basis{"legendre", means, integrals, whole, frequency, margin};
+inline constexpr Basis basis{"legendre", means, integrals};
 
 }  // namespace opacity::legendre

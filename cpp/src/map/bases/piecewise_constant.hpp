@@ -35,10 +35,7 @@ inline float whole(std::size_t) {
 inline double frequency(std::size_t) {
     return 0.0;
 }
-inline double margin(std::size_t) {
-    return 0.0;
-}
 
-inline constexpr Basis basis{"piecewise_constant", means, integrals, whole, frequency, margin};
+inline constexpr Basis basis{"piecewise_constant", means, integrals, whole, frequency};
 
 }  // namespace opacity::piecewise_constant
