@@ -19,6 +19,7 @@ Vector: TypeAlias = Sequence[Number] | Floats
 Image: TypeAlias = npt.NDArray[np.float32]
 Attribute: TypeAlias = Number | Floats
 Color: TypeAlias = Vector
+Opacity: TypeAlias = Attribute | Vector
 Value: TypeAlias = bool | int | float | str
 
 _FLOATING = (np.dtype(np.float32), np.dtype(np.float64))
@@ -159,6 +160,21 @@ def colors(name: str, value: object) -> Floats:
     if not isinstance(value, tuple | list | np.ndarray):
         raise wrong(name, value, "three numbers, or a float32 or float64 array of shape (N, 3)")
     return np.array([vector(name, value)])
+
+
+def opacity(value: object, points: int) -> tuple[Floats, bool]:
+    """One opacity for all or one a point, and whether it has a value a colour; then (N, 3)."""
+    if isinstance(value, tuple | list):
+        return np.array([vector("opacity", value)]), True
+    if isinstance(value, np.ndarray):
+        if value.ndim == 2:
+            return floats("opacity", value, ("N", 3)), True
+        is_rgb = value.shape == (3,) and points != 3
+        return (colors if is_rgb else attribute)("opacity", value), is_rgb
+    if not is_number(value):
+        wanted = "a number, three, or a float32 or float64 array of shape (N,) or (N, 3)"
+        raise wrong("opacity", value, wanted)
+    return attribute("opacity", value), False
 
 
 def image(name: str, value: object, shape: tuple[str | int, ...]) -> Image | None:

@@ -32,7 +32,7 @@ def transmittance(
         light: index into ``scene.lights``.
 
     Returns:
-        (N,) float32 in [0, 1]; see :meth:`Renderer.transmittance`.
+        (N,) float32 in [0, 1], or (N, 3); see :meth:`Renderer.transmittance`.
 
     Raises:
         ParameterError: as :meth:`Renderer.transmittance`; or a technique that has no form in C++.

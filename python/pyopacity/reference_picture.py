@@ -62,15 +62,16 @@ class PictureParts:
         return self.receivers.bias[self.receivers.mask]
 
     def shaded(self, *transmittance: Floats) -> _F32:
-        """The picture with this T of each light, (M,) in [0, 1], at ``points``: (H, W, 4) float32.
+        """The picture with this T of each light at ``points``: (H, W, 4) float32.
 
+        T is (M,) in [0, 1], or (M, 3) with a value a colour.
         Samples are averaged in linear light, in float64.
         """
         picture = self.dark.astype(np.float64)
         for lit, seen in zip(self.lit, transmittance, strict=True):
-            T = np.ones(self.receivers.mask.shape)
-            T[self.receivers.mask] = seen
-            picture += T[..., None] * (lit.astype(np.float64) - self.dark)
+            T = np.ones(picture.shape)
+            T[self.receivers.mask, :3] = seen.reshape(len(seen), -1)
+            picture += T * (lit.astype(np.float64) - self.dark)
         n = self.samples
         height, width, channels = picture.shape
         blocks = picture.reshape(height // n, n, width // n, n, channels)

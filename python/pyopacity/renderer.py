@@ -119,7 +119,8 @@ class Renderer(HasParameters):
             light: index into ``scene.lights``.
 
         Returns:
-            (N,) float32.
+            (N,) float32; (N, 3), red, green and blue, where a shape of the scene has an opacity or
+            extinction a colour.
 
         Raises:
             ParameterError: another dtype, shape or order; a point that is not finite, named by its
@@ -145,7 +146,8 @@ class Renderer(HasParameters):
             light: index into ``scene.lights``, for "transmittance".
 
         Returns:
-            (H, W) float32; int32 for "object_id".
+            (H, W) float32; int32 for "object_id"; (H, W, 3) for "transmittance" where T has a value
+            a colour.
 
         Raises:
             ParameterError: another name; a light that is not there.

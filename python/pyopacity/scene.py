@@ -67,6 +67,16 @@ class Scene(Guarded):
         return tuple(self._lights)
 
     @property
+    def is_tinted(self) -> bool:
+        """Whether a shape stops red, green and blue light by parts of their own.
+
+        T has then three values a point. Maps and pictures are made as of three scenes, one a
+        colour: ``renderer.report`` and ``renderer.read`` have ``red/``, ``green/`` and ``blue/``
+        before their names.
+        """
+        return self._handle.is_tinted()
+
+    @property
     def bounds(self) -> Bounds:
         """The axis-aligned box around all shapes in world space; empty without any."""
         return Bounds.of(self._handle.bounds())

@@ -59,7 +59,8 @@ def trace_transmittance(
         progress: called with the fraction done, some twenty times a second and with 1 at the end.
 
     Returns:
-        (N,) float32.
+        (N,) float32; (N, 3), red, green and blue, where a shape of the scene has an opacity or
+        extinction a colour.
 
     Raises:
         ParameterError: another dtype, shape or order; a point that is not finite, named by its

@@ -23,6 +23,7 @@ ROOM_OF_HEADER = {
     "technique.hpp": "techniques",
     "technique_description.hpp": "techniques",
     "plugin.hpp": "techniques",
+    "render_settings.hpp": "render",
     "renderer.hpp": "render",
     "opacity.hpp": "demo",
 }
@@ -158,7 +159,7 @@ def test_nothing_else_names_a_technique_that_is_not_the_default() -> None:
     }
     own |= {"python/pyopacity/technique.py"}  # the two ends of every comparison
     # "exact" is a way of compositing, too.
-    own |= {"cpp/include/opacity/renderer.hpp", "cpp/src/render/picture.cpp"}
+    own |= {"cpp/include/opacity/render_settings.hpp", "cpp/src/render/picture.cpp"}
     code = [*SOURCES, *files("python", suffixes=".py .pyi")]
     naming = [
         relative(path)

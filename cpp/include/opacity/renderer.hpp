@@ -10,63 +10,14 @@
 #include <vector>
 
 #include "opacity/core/image.hpp"
-#include "opacity/core/param.hpp"
 #include "opacity/gl/context.hpp"
 #include "opacity/graph/report.hpp"
+#include "opacity/render_settings.hpp"
 #include "opacity/scene/camera.hpp"
 #include "opacity/scene/scene.hpp"
 #include "opacity/technique.hpp"
 
 namespace opacity {
-
-struct RenderSettings : ParamOwner {
-    RenderSettings() : ParamOwner{"renderer", "pyopacity render --help"} {}
-    Param<int> width{*this, "width", 1024, {1, 16384}, "Pixels of the picture, across."};
-    Param<int> height{*this, "height", 768, {1, 16384}, "Pixels of the picture, down."};
-    AutoParam<int> map_size{*this,
-                            "map_size",
-                            512,
-                            {1, 16384},
-                            "Texels along each side of the light's maps; auto: from the width and "
-                            "spacing of the strands, or from filter_width."};
-    Param<bool> steady{
-        *this, "steady", true,
-        "A light holds on to its map while what casts lies within, so that shadows do "
-        "not swim; off: each frame fits anew, whatever was before."};
-    Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
-    Choice compositing{*this,
-                       "compositing",
-                       {"auto", "opaque", "subsets", "sorted", "exact", "maps"},
-                       "How what is translucent covers what lies behind it: opaque, as in the "
-                       "papers; subsets: the mean of three, each of a third of the strands; sorted "
-                       "by shape and primitive; exact: sorted lists; maps: without an order, by "
-                       "maps of the camera's own; auto: maps where anything is translucent."};
-    Param<double> ambient{*this,
-                          "ambient",
-                          0.12,
-                          {0.0, 100.0},
-                          "Light from everywhere, unshadowed, as a factor of colour."};
-    Param<double> specular{*this, "specular", 0.25, {0.0, 100.0}, "Strength of the highlight."};
-    Param<double> shininess{*this, "shininess", 40.0, {1.0, 10000.0}, "Exponent of the highlight."};
-    Param<double> wrap{*this,
-                       "wrap",
-                       0.0,
-                       {0.0, 1.0},
-                       "How far light reaches around the edge of a surface's lit side."};
-    AutoParam<double> backlight{*this,
-                                "backlight",
-                                {0.0, 1.0},
-                                "Part of the light on a translucent surface that comes out on its "
-                                "other side; auto: it has no sides, only the maps darken it."};
-    Param<double> phase{*this,
-                        "phase",
-                        0.0,
-                        {-0.99, 0.99},
-                        "Mean cosine of scattering in particles and volumes; 0: to all sides, "
-                        "above: onward."};
-    Param<double> shadow_intensity{
-        *this, "shadow_intensity", 1.0, {0.0, 1.0}, "Part of the shadow that the picture shows."};
-};
 
 // An intermediate texture, read back: rows in texel order, the light's first row first.
 struct TextureContent {
@@ -107,18 +58,24 @@ class Renderer {
     void set_background(const float4& rgba);
     const float4& background() const;
 
+    // How many values T has at a point: 3, red, green and blue, where any shape of the scene is
+    // tinted; else 1.
+    std::size_t channels() const;
+
     // The picture: 4 * width * height floats, linear, premultiplied, top row first.
     Image render();
     void render(std::span<float> rgba);
     // T in [0, 1] at world points: the fraction of one light that arrives there. 1 without a light.
+    // All channels of the first point, then of the second.
     std::vector<float> transmittance(const Positions& world_points, int light = 0);
     // At a shape's own points; the automatic bias is then that of its own strands.
     std::vector<float> transmittance(const Shape& shape, int light = 0);
 
-    // Width * height floats, top row first. "coverage": how much of a pixel the shapes cover, the
-    // picture's alpha without its background. Of the first strand or surface in the middle of each
-    // pixel: "transmittance", T of a light (1 where there is none); "depth", the distance from the
-    // eye in world units (infinite); "object_id", its index in the scene (-1).
+    // Width * height floats, top row first; "transmittance" has all channels. "coverage": how much
+    // of a pixel the shapes cover, the picture's alpha without its background. Of the first strand
+    // or surface in the middle of each pixel: "transmittance", T of a light (1 where there is
+    // none); "depth", the distance from the eye in world units (infinite); "object_id", its index
+    // in the scene (-1).
     std::vector<float> image(std::string_view name, int light = 0);
 
     // Of the picture that render() makes with antialiasing 1.

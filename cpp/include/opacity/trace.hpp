@@ -35,6 +35,7 @@ struct TraceSettings {
 
 // T in [0, 1] at world points: the product of 1 - opacity over what lies between each point and
 // the light; 0 behind what is opaque, 1 without a light. Of an area light the mean over its points.
+// Of a scene with a tinted shape (Scene::is_tinted) three values a point: red, green, blue.
 std::vector<float> trace_transmittance(const Scene& scene, const Positions& world_points,
                                        const TraceSettings& settings = {});
 // At a shape's own points, of a volume the centres of its voxels. The automatic bias is then that

@@ -53,4 +53,12 @@ inline py::array take(std::vector<float3> values) {
     return take<float, float3>(std::move(values), {size, 3});
 }
 
+// T at points: (N,), or (N, 3) with a value a colour.
+inline py::array with_channels(std::vector<float> values, bool is_tinted) {
+    const auto size = static_cast<py::ssize_t>(values.size());
+    std::vector<py::ssize_t> shape{size};
+    if (is_tinted) shape = {size / 3, 3};
+    return take<float, float>(std::move(values), std::move(shape));
+}
+
 }  // namespace opacity::bindings

@@ -11,13 +11,12 @@ namespace opacity::bindings {
 namespace {
 
 std::shared_ptr<Particles> make_particles(const py::array& centers, const py::array& radius,
-                                          const py::array& opacity, const py::array& color,
-                                          const std::string& profile) {
+                                          const py::array& color, const std::string& profile) {
     Positions xyz = to_positions(centers);
-    std::vector<float> radii = to_floats(radius), opacities = to_floats(opacity);
+    std::vector<float> radii = to_floats(radius);
     std::vector<float3> colors = to_float3s(color);
     const py::gil_scoped_release release;
-    return std::make_shared<Particles>(std::move(xyz), std::move(radii), std::move(opacities),
+    return std::make_shared<Particles>(std::move(xyz), std::move(radii), std::vector{1.f},
                                        std::move(colors), density_profile(profile));
 }
 
@@ -34,6 +33,14 @@ py::array extinction_of(const Volume& volume) {
     std::vector<float> values = copied(volume, [](const Volume& v) { return v.extinction(); });
     const auto& [nz, ny, nx] = volume.size_zyx();
     return take<float, float>(std::move(values), {nz, ny, nx});
+}
+
+// (Z, Y, X, 3), or None.
+py::object extinction_rgb_of(const Volume& volume) {
+    const TintPtr tint = copied(volume, [](const Volume& v) { return v.tint(); });
+    if (!tint) return py::none();
+    const auto& [nz, ny, nx] = volume.size_zyx();
+    return take<float, float3>(tint->rgb(), {nz, ny, nx, 3});
 }
 
 }  // namespace
@@ -65,6 +72,12 @@ void bind_media(py::module_& module) {
              [](Volume& self, const py::array& values) {
                  std::vector<float> extinction = to_floats(values);
                  without_interpreter([&] { self.set_extinction(std::move(extinction)); });
+             })
+        .def("extinction_rgb", &extinction_rgb_of)
+        .def("set_extinction_rgb",
+             [](Volume& self, const py::array& values) {
+                 const std::vector<float3> rgb = to_float3s(values);
+                 without_interpreter([&] { self.set_extinction_rgb(rgb); });
              })
         .def("origin", &Volume::origin)
         .def("spacing", &Volume::spacing)

@@ -41,12 +41,14 @@ void render(Renderer& self, Array<float>& out) {
 template <class Where>
 py::array ask(Renderer& self, const Where& where, int light) {
     std::vector<float> result;
+    bool is_tinted = false;
     {
         const py::gil_scoped_release release;
         result = self.transmittance(where, light);
+        is_tinted = self.channels() > 1;
     }
     check_signals();
-    return take(std::move(result));
+    return with_channels(std::move(result), is_tinted);
 }
 
 py::array transmittance(Renderer& self, const py::array& xyz, int light) {
@@ -65,7 +67,10 @@ py::array image(Renderer& self, const std::string& name, int light) {
     }
     check_signals();
     const int width = self.settings().width.get(), height = self.settings().height.get();
-    return take<float, float>(std::move(values), {height, width});
+    std::vector<py::ssize_t> shape{height, width};
+    const std::size_t pixels = std::size_t(height) * width;
+    if (values.size() > pixels) shape.push_back(py::ssize_t(values.size() / pixels));
+    return take<float, float>(std::move(values), std::move(shape));
 }
 
 // (points (H, W, 3), bias (H, W)).

@@ -61,6 +61,7 @@ void bind_scene(py::module_& module) {
                  const double width = (receiver.lock(), receiver.strand_width());
                  return std::max(width, least_bias(self));
              })
+        .def("is_tinted", &Scene::is_tinted, py::call_guard<py::gil_scoped_release>())
         .def("bounds", [](const Scene& self) {
             const Box box = self.bounds();
             return py::make_tuple(box.min, box.max);

@@ -27,6 +27,12 @@ py::tuple bounds_of(const Shape& shape) {
     return py::make_tuple(box.min, box.max);
 }
 
+// (N, 3), or None.
+py::object tint_of(const Shape& shape) {
+    const TintPtr tint = copied(shape, [](const Shape& s) { return s.tint(); });
+    return tint ? py::object{take(tint->rgb())} : py::none();
+}
+
 template <class Class>
 void bind_attributes(Class& shape) {
     shape.def("points", &points_of)
@@ -34,6 +40,10 @@ void bind_attributes(Class& shape) {
              [](Shape& self, const py::array& xyz) {
                  Positions points = to_positions(xyz);
                  without_interpreter([&] { self.set_points(std::move(points)); });
+             })
+        .def("point_count",
+             [](const Shape& self) {
+                 return copied(self, [](const Shape& s) { return s.points().size(); });
              })
         .def("opacity",
              [](const Shape& self) {
@@ -43,6 +53,12 @@ void bind_attributes(Class& shape) {
              [](Shape& self, const py::array& values) {
                  std::vector<float> opacity = to_floats(values);
                  without_interpreter([&] { self.set_opacity(std::move(opacity)); });
+             })
+        .def("opacity_rgb", &tint_of)
+        .def("set_opacity_rgb",
+             [](Shape& self, const py::array& values) {
+                 const std::vector<float3> rgb = to_float3s(values);
+                 without_interpreter([&] { self.set_opacity_rgb(rgb); });
              })
         .def("color",
              [](const Shape& self) {
@@ -75,19 +91,17 @@ void bind_placement(Class& shape) {
 }
 
 // Both are made of points, of indices that join them, of one attribute of their own (the width, the
-// normals), of opacity and colour.
+// normals), and of colour; opacity is set afterwards.
 template <class ShapeType, class Index, auto to_own>
 std::shared_ptr<ShapeType> make(const py::array& points, const Array<Index>& indices,
-                                const py::array& own, const py::array& opacity,
-                                const py::array& color) {
+                                const py::array& own, const py::array& color) {
     Positions xyz = to_positions(points);
     std::vector<Index> joined = to_vector(indices);
     auto own_values = to_own(own);
-    std::vector<float> opacities = to_floats(opacity);
     std::vector<float3> colors = to_float3s(color);
     const py::gil_scoped_release release;
     return std::make_shared<ShapeType>(std::move(xyz), std::move(joined), std::move(own_values),
-                                       std::move(opacities), std::move(colors));
+                                       std::vector{1.f}, std::move(colors));
 }
 
 void bind_strands(py::module_& module) {

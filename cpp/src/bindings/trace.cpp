@@ -33,12 +33,14 @@ py::array trace_at(const Scene& scene, const Where& where, int light,
         light, to_vector(footprint), samples, to_vector(bias), chosen(indices), backend,
         0,     told(progress)};
     std::vector<float> result;
+    bool is_tinted = false;
     {
         const py::gil_scoped_release release;
         result = trace_transmittance(scene, where, settings);
+        is_tinted = scene.is_tinted();
     }
     check_signals();
-    return take(std::move(result));
+    return with_channels(std::move(result), is_tinted);
 }
 
 py::array trace(const Scene& scene, const py::array& xyz, int light, const Array<double>& footprint,

@@ -126,8 +126,8 @@ void FrameGraph::check(const Pass& pass) const {
     }
 }
 
-std::set<const Source*> FrameGraph::needed_for(const Resource& goal) const {
-    std::set<const Source*> needed{&goal};
+std::set<const Source*> FrameGraph::needed_for(const Goals& goals) const {
+    std::set<const Source*> needed{goals.begin(), goals.end()};
     for (auto pass = passes_.rbegin(); pass != passes_.rend(); ++pass) {
         if (!feeds(*pass, needed)) continue;
         // A pass that writes some layers of a texture needs the writers of the others.
@@ -172,18 +172,20 @@ bool FrameGraph::outputs_intact(const Pass& pass) const {
     return true;
 }
 
-void FrameGraph::run(const Resource& goal) {
+void FrameGraph::run(const Goals& goals) {
     drop_undeclared();
     shader_revision_ = device_.shader_revision();
     report_.clear();
-    const std::set<const Source*> needed = needed_for(goal);
+    const std::set<const Source*> needed = needed_for(goals);
+    std::vector<std::string> names;
+    for (const Resource* goal : goals) names.push_back("\"" + goal->name() + "\"");
     needed_.clear();
     for (const Source* source : needed) needed_.insert(source->name());
     for (const Pass& pass : passes_) {
         const bool is_needed = feeds(pass, needed);
         report_.push_back(step(pass, is_needed));
         if (!is_needed)
-            report_.back().why = "nothing that \"" + goal.name() + "\" needs reads its output";
+            report_.back().why = "nothing that " + joined(names) + " needs reads its output";
     }
 }
 

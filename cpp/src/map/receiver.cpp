@@ -198,13 +198,18 @@ Query Query::at(Positions world_points, const Scene& scene) {
 }
 
 Query Query::at(const Shape& shape, const Scene& scene) {
-    Query query{receivers_on(shape), &shape};
+    Query query{receivers_on(shape)};
+    query.stand_on(shape, scene);
+    return query;
+}
+
+void Query::stand_on(const Shape& shape, const Scene& scene) {
+    own = &shape;
     const auto lock = shape.lock();
     const auto& shapes = scene.shapes();
-    query.is_in_maps =
+    is_in_maps =
         shape.is_caster() && !shape.opaque() &&
         std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return s.get() == &shape; });
-    return query;
 }
 
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,

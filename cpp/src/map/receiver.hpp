@@ -62,6 +62,8 @@ struct Query : Receivers {
 
     static Query at(Positions world_points, const Scene& scene);
     static Query at(const Shape& shape, const Scene& scene);
+    // The points lie on this shape, which has as many; of the scene, or of none.
+    void stand_on(const Shape& shape, const Scene& scene);
 };
 
 // Where a strand goes on, it does so for as far as any filter reaches; lib/ribbon.glsl.

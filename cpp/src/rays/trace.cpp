@@ -10,6 +10,7 @@
 #include "opacity/core/error.hpp"
 #include "rays/tracer.hpp"
 #include "scene/bias.hpp"
+#include "scene/channel_scenes.hpp"
 #include "scene/check.hpp"
 #include "scene/receivers.hpp"
 
@@ -136,6 +137,23 @@ std::vector<float> trace(const Scene& scene, rays::Asked asked, const Shape* own
     return finish();
 }
 
+// The same rays through what each colour of light meets.
+std::vector<float> trace_channels(const Scene& scene, const rays::Asked& asked, const Shape* own,
+                                  const TraceSettings& settings) {
+    const ChannelScenes scenes{scene};
+    std::vector<std::vector<float>> channels;
+    for (std::size_t c = 0; c < scenes.count(); ++c) {
+        TraceSettings here = settings;
+        if (settings.progress)
+            here.progress = [&, c](double part) {
+                settings.progress((double(c) + part) / double(scenes.count()));
+            };
+        const Shape* stands_for = own ? &scenes.shape(*own, c) : nullptr;
+        channels.push_back(trace(scenes[c], asked, stands_for, here));
+    }
+    return side_by_side(std::move(channels));
+}
+
 rays::Asked asked_at(Receivers receivers, std::vector<std::size_t> own,
                      const TraceSettings& settings) {
     const auto& sides = settings.footprint;
@@ -159,7 +177,7 @@ std::vector<float> trace_transmittance(const Scene& scene, const Positions& worl
     Receivers receivers;
     receivers.world_points = world_points;
     receivers.strand_width = mean_strand_width(scene.shapes());
-    return trace(scene, asked_at(std::move(receivers), {}, settings), nullptr, settings);
+    return trace_channels(scene, asked_at(std::move(receivers), {}, settings), nullptr, settings);
 }
 
 std::vector<float> trace_transmittance(const Scene& scene, const Shape& shape,
@@ -168,7 +186,8 @@ std::vector<float> trace_transmittance(const Scene& scene, const Shape& shape,
     std::vector<std::size_t> own =
         settings.indices ? *settings.indices : every_index(receivers.world_points.size());
     if (settings.indices) receivers = chosen(std::move(receivers), own);
-    return trace(scene, asked_at(std::move(receivers), std::move(own), settings), &shape, settings);
+    return trace_channels(scene, asked_at(std::move(receivers), std::move(own), settings), &shape,
+                          settings);
 }
 
 }  // namespace opacity

@@ -87,15 +87,18 @@ struct Renderer::Impl {
                 "there is no image \"" + std::string{name} + "\"",
                 "choose \"transmittance\", \"depth\", \"coverage\" or \"object_id\"");
         check_size(1);
-        const std::vector<float4> seen = frame->first_surfaces(inputs(), std::size_t(light));
-        std::vector<float> values;
-        values.reserve(seen.size());
-        for (const float4& s : seen) {
-            const bool is_nothing = name == "depth" && s[2] < 0.f;
-            values.push_back(is_nothing ? std::numeric_limits<float>::infinity()
-                                        : s[std::size_t(channel - channels.begin())]);
+        const auto seen = frame->first_surfaces(inputs(), std::size_t(light));
+        std::vector<std::vector<float>> values;
+        for (const std::vector<float4>& surfaces : seen) {
+            values.emplace_back();
+            for (const float4& s : surfaces) {
+                const bool is_nothing = name == "depth" && s[2] < 0.f;
+                values.back().push_back(is_nothing ? std::numeric_limits<float>::infinity()
+                                                   : s[std::size_t(channel - channels.begin())]);
+            }
+            if (name != "transmittance") break;  // where things are has no colour
         }
-        return values;
+        return side_by_side(std::move(values));
     }
 
     // The picture is drawn oversampled: both together must fit a texture.
@@ -140,6 +143,9 @@ Scene& Renderer::scene() {
 }
 Technique& Renderer::technique() {
     return *impl_->technique;
+}
+std::size_t Renderer::channels() const {
+    return impl_->scene->is_tinted() ? channel_names.size() : 1;
 }
 const Camera& Renderer::camera() const {
     return impl_->camera;
@@ -259,7 +265,7 @@ TextureContent Renderer::read(const std::string& name) const {
     const TextureDesc& desc = texture.desc();
     const int scale = content_scale(desc);
     TextureContent content{
-        scale * desc.width, scale * desc.height, desc.layers, channels(desc.format), {}};
+        scale * desc.width, scale * desc.height, desc.layers, opacity::channels(desc.format), {}};
     std::vector<std::uint32_t> words(size_bytes(desc) / 4);
     impl_->device->read(texture, std::as_writable_bytes(std::span{words}));
     content.values.resize(words.size());

@@ -66,11 +66,6 @@ Mesh::Mesh(Positions positions, std::vector<std::uint32_t> triangles, std::vecto
     normals_ = completed(std::move(normals));
 }
 
-ShapePtr Mesh::instance() const {
-    const auto held = lock();
-    return ShapePtr{new Mesh{*this}};
-}
-
 bool Mesh::opaque() const {
     return min_opacity_ == 1.f && !has_alpha();
 }

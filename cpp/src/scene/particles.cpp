@@ -33,11 +33,6 @@ Particles::Particles(Positions centers, std::vector<float> radius, std::vector<f
     assign_radius(std::move(radius));
 }
 
-ShapePtr Particles::instance() const {
-    const auto held = lock();
-    return ShapePtr{new Particles{*this}};
-}
-
 void Particles::assign_radius(std::vector<float> radius) {
     check_attribute_size("radius", radius.size());
     check_values("radius", radius, not_negative);

@@ -47,4 +47,11 @@ Box Scene::bounds() const {
     return box;
 }
 
+bool Scene::is_tinted() const {
+    return std::any_of(shapes_.begin(), shapes_.end(), [](const ShapePtr& shape) {
+        const auto lock = shape->lock();
+        return shape->tint() != nullptr;
+    });
+}
+
 }  // namespace opacity

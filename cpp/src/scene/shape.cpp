@@ -88,6 +88,7 @@ Shape::Shape(const Shape& other)
       revisions_{.geometry = other.revisions_.geometry,
                  .opacity = other.revisions_.opacity,
                  .color = other.revisions_.color},
+      tint_{other.tint_},
       min_opacity_{other.min_opacity_},
       max_opacity_{other.max_opacity_},
       opacity_{other.opacity_},
@@ -95,6 +96,26 @@ Shape::Shape(const Shape& other)
       transform_{other.transform_},
       casts_{other.casts_},
       receives_{other.receives_} {}
+
+ShapePtr Shape::instance() const {
+    const auto held = lock();
+    return clone();
+}
+
+ShapePtr Shape::in_channel(std::size_t channel) const {
+    const auto held = lock();
+    ShapePtr shape = clone();
+    shape->revisions_ = revisions_;
+    if (tint_) shape->show(tint_->channels.at(channel));
+    shape->tint_ = nullptr;
+    return shape;
+}
+
+void Shape::show(const Tint::Channel& channel) {
+    opacity_ = channel.values;
+    find_extremes();
+    revisions_.opacity = channel.revision;
+}
 
 void Shape::check_attribute_size(const char* name, std::size_t size) const {
     if (size == 1 || size == points_.size()) return;
@@ -120,15 +141,29 @@ void Shape::set_points(Positions points) {
 void Shape::assign_opacity(std::vector<float> opacity) {
     check_attribute_size("opacity", opacity.size());
     check_values("opacity", opacity, unit_interval);
-    const auto [low, high] = std::minmax_element(opacity.begin(), opacity.end());
-    min_opacity_ = opacity.empty() ? 0.f : *low;
-    max_opacity_ = opacity.empty() ? 0.f : *high;
     opacity_ = std::move(opacity);
+    find_extremes();
+}
+
+void Shape::find_extremes() {
+    const auto [low, high] = std::minmax_element(opacity_->begin(), opacity_->end());
+    min_opacity_ = opacity_->empty() ? 0.f : *low;
+    max_opacity_ = opacity_->empty() ? 0.f : *high;
 }
 
 void Shape::set_opacity(std::vector<float> opacity) {
     const auto held = lock();
     assign_opacity(std::move(opacity));
+    tint_ = nullptr;
+    revisions_.opacity = next_revision();
+}
+
+void Shape::set_opacity_rgb(const std::vector<float3>& rgb) {
+    check_values("opacity", flat(rgb), unit_interval, 3);
+    auto tint = std::make_shared<const Tint>(rgb);
+    const auto held = lock();
+    assign_opacity(tint->mean());
+    tint_ = std::move(tint);
     revisions_.opacity = next_revision();
 }
 

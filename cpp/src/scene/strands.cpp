@@ -49,11 +49,6 @@ Strands::Strands(Positions points, std::vector<std::int64_t> offsets, std::vecto
     assign_width(std::move(width));
 }
 
-ShapePtr Strands::instance() const {
-    const auto held = lock();
-    return ShapePtr{new Strands{*this}};
-}
-
 void Strands::assign_width(std::vector<float> width) {
     check_attribute_size("width", width.size());
     check_values("width", width, not_negative);

@@ -57,29 +57,44 @@ Volume::Volume(Size size_zyx, std::vector<float> extinction, double3 origin, dou
       size_zyx_{size_zyx},
       origin_{origin},
       spacing_{spacing} {
+    check_extinction(extinction, 1);
     assign_extinction(std::move(extinction));
 }
 
-ShapePtr Volume::instance() const {
-    const auto held = lock();
-    return ShapePtr{new Volume{*this}};
-}
-
-void Volume::assign_extinction(std::vector<float> extinction) {
+void Volume::check_extinction(std::span<const float> values, std::size_t channels) const {
     const std::size_t count = std::size_t(size_zyx_[0]) * size_zyx_[1] * size_zyx_[2];
-    if (extinction.size() != count)
-        throw ParameterError("extinction has " + std::to_string(extinction.size()) +
+    if (values.size() != count * channels)
+        throw ParameterError("extinction has " + std::to_string(values.size() / channels) +
                                  " values for " + std::to_string(count) + " voxels",
                              "pass one a voxel, x fastest");
-    check_values("extinction", extinction, {0.0, 1e18, "in 0..1e18"});
-    max_extinction_ = *std::max_element(extinction.begin(), extinction.end());
+    check_values("extinction", values, {0.0, 1e18, "in 0..1e18"}, channels);
+}
+
+void Volume::assign_extinction(Shared<std::vector<float>> extinction) {
+    max_extinction_ = *std::max_element(extinction->begin(), extinction->end());
     extinction_ = std::move(extinction);
 }
 
 void Volume::set_extinction(std::vector<float> extinction) {
+    check_extinction(extinction, 1);
     const auto held = lock();
     assign_extinction(std::move(extinction));
+    tint_ = nullptr;
     revisions_.geometry = next_revision();
+}
+
+void Volume::set_extinction_rgb(const std::vector<float3>& rgb) {
+    check_extinction(flat(rgb), channel_names.size());
+    auto tint = std::make_shared<const Tint>(rgb);
+    const auto held = lock();
+    assign_extinction(tint->mean());
+    tint_ = std::move(tint);
+    revisions_.geometry = next_revision();
+}
+
+void Volume::show(const Tint::Channel& channel) {
+    assign_extinction(channel.values);
+    revisions_.geometry = channel.revision;
 }
 
 void Volume::set_grid(double3 origin, double3 spacing) {
@@ -89,6 +104,8 @@ void Volume::set_grid(double3 origin, double3 spacing) {
     spacing_ = spacing;
     points_ = corners(size_zyx_, origin, spacing);
     point_bounds_ = points_.bounds();
+    // A channel of it stands for the grid too: the same tint under new revisions.
+    if (tint_) tint_ = std::make_shared<const Tint>(tint_->rgb());
     revisions_.geometry = next_revision();
 }
 

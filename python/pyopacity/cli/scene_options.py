@@ -51,7 +51,7 @@ def add_parameters(add: Any) -> None:
 
 def add_strands(add: Any) -> None:
     """What replaces that of the file."""
-    add("--opacity", metavar="0..1", help="of every strand, instead of the file's")
+    add("--opacity", metavar="A|R,G,B", help="of every strand, instead of the file's: 0..1")
     add("--width", metavar="N", help="of every strand, instead of the file's")
 
 
@@ -71,11 +71,7 @@ def load(arguments: argparse.Namespace) -> po.Scene:
     for file in arguments.files:
         text.progress(f"loading {file}")
         scene.add(po.load(file))
-    changes = {
-        name: text.numbers(f"--{name}", given, (1,), "one number")[0]
-        for name in ("opacity", "width")
-        if (given := getattr(arguments, name)) is not None
-    }
+    changes = _changes(arguments)
     strands = [shape for shape in scene.shapes if isinstance(shape, po.Strands)]
     if changes and not strands:
         raise po.ParameterError(
@@ -86,6 +82,17 @@ def load(arguments: argparse.Namespace) -> po.Scene:
         for name, new in changes.items():
             setattr(shape, name, new)
     return scene
+
+
+def _changes(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What replaces attributes of strands."""
+    kinds = {"opacity": ((1, 3), "one number, or R,G,B"), "width": ((1,), "one number")}
+    changes: dict[str, Any] = {}
+    for name, (counts, wanted) in kinds.items():
+        if (given := getattr(arguments, name)) is not None:
+            numbers = text.numbers(f"--{name}", given, counts, wanted)
+            changes[name] = numbers if len(numbers) > 1 else numbers[0]
+    return changes
 
 
 def lights(arguments: argparse.Namespace) -> list[po.Light]:

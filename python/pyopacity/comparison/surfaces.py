@@ -35,7 +35,7 @@ def trace_on_surfaces(
     progress: Callable[[float], object],
     light: int = 0,
 ) -> F32:
-    """The mean of T, (N,) float32, over what a square across the light cuts out of each tangent.
+    """The mean of T over what a square across the light cuts out of each tangent.
 
     Args:
         scene: with lights.
@@ -45,8 +45,11 @@ def trace_on_surfaces(
         samples: rays for each point.
         progress: called with the part that is done.
         light: index into the scene's lights.
+
+    Returns:
+        (N,) float32; (N, 3) of a tinted scene.
     """
-    means = np.empty(len(points), np.float32)
+    means = []
     sides = np.broadcast_to(np.asarray(footprint, np.float64), len(points))
     along = _directions(scene.lights[light], points)
     step = max(1, _MOST_RAYS_AT_ONCE // samples)
@@ -56,9 +59,10 @@ def trace_on_surfaces(
         starts = _starts(points[part], normals[part], along[part], square, sides[part])
         biases = np.repeat(np.maximum(bias[part], _LEAST_BIAS * sides[part]), samples)
         T = trace_transmittance(scene, starts, light, 0.0, 1, bias=biases)
-        means[part] = T.reshape(-1, samples).mean(axis=1, dtype=np.float64)
+        samples_of = T.reshape(-1, samples, *T.shape[1:])
+        means.append(samples_of.mean(axis=1, dtype=np.float64).astype(np.float32))
         progress(min(1.0, (first + step) / len(points)))
-    return means
+    return np.concatenate(means)
 
 
 def _directions(light: Light, points: F64) -> F64:

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import _arrays, _native
-from pyopacity._arrays import Attribute, Color, Floats, Image, Number
+from pyopacity._arrays import Color, Floats, Image, Number, Opacity
 from pyopacity.shapes.shape import PointShape
 
 AlphaMode: TypeAlias = Literal["opaque", "mask", "blend"]
@@ -22,7 +22,8 @@ class Mesh(PointShape):
         triangles: (M, 3) of any integer dtype: indices into ``positions``.
         normals: (N, 3) float, of any length; a zero, or None, stands for a smooth one, which is
             made from the triangles.
-        opacity: the part of the light that the surface stops, in [0, 1]: a number, or (N,) float.
+        opacity: the part of the light that the surface stops, in [0, 1]: a number, or (N,) float;
+            three numbers, or (N, 3), for parts of red, green and blue.
         color: linear RGB in [0, 1e9]: three numbers for all, or (N, 3) float.
         uvs: (N, 2) float: where each point lies on the maps, whose top left corner is (0, 0); they
             repeat beyond 0 .. 1.
@@ -47,7 +48,7 @@ class Mesh(PointShape):
         triangles: npt.NDArray[np.integer[Any]],
         normals: Floats | None = None,
         *,
-        opacity: Attribute = 1.0,
+        opacity: Opacity = 1.0,
         color: Color = (0.7, 0.7, 0.7),
         uvs: Floats | None = None,
         alpha_map: Image | None = None,
@@ -60,9 +61,9 @@ class Mesh(PointShape):
                 _arrays.floats("positions", positions, ("N", 3)),
                 _arrays.integers("triangles", triangles, ("M", 3), np.uint32),
                 _normals(normals),
-                _arrays.attribute("opacity", opacity),
                 _arrays.colors("color", color),
-            )
+            ),
+            opacity,
         )
         self.uvs = uvs
         self._set_alpha(alpha_map, alpha_mode, alpha_cutoff)

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import _arrays, _native
-from pyopacity._arrays import Attribute, Color, Floats
+from pyopacity._arrays import Attribute, Color, Floats, Opacity
 from pyopacity.shapes.shape import PointShape, one_or_all
 
 Profile: TypeAlias = Literal["sphere", "metaball"]
@@ -22,7 +22,7 @@ class Particles(PointShape):
         centers: (N, 3) float32 or float64, C order; kept as given. They are its :attr:`points`.
         radius: in the shape's units, at least 0: a number for all, or (N,) float.
         opacity: the part of the light that a particle stops through its centre, in [0, 1]: a number
-            for all, or (N,) float.
+            for all, or (N,) float; three numbers, or (N, 3), for parts of red, green and blue.
         color: linear RGB in [0, 1e9]: three numbers for all, or (N, 3) float.
         profile: how dense they are at the distance r from their middle, in radii: "sphere" the same
             everywhere; "metaball" as (1 - r^2)^2, which leaves no edge.
@@ -39,7 +39,7 @@ class Particles(PointShape):
         self,
         centers: Floats,
         radius: Attribute = 1.0,
-        opacity: Attribute = 0.1,
+        opacity: Opacity = 0.1,
         color: Color = (0.8, 0.8, 0.8),
         profile: Profile = "sphere",
     ) -> None:
@@ -48,10 +48,10 @@ class Particles(PointShape):
             _native.Particles(
                 _arrays.floats("centers", centers, ("N", 3)),
                 _arrays.attribute("radius", radius),
-                _arrays.attribute("opacity", opacity),
                 _arrays.colors("color", color),
                 profile,
-            )
+            ),
+            opacity,
         )
 
     @property

@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import _arrays, _native
-from pyopacity._arrays import Attribute, Color, Floats
+from pyopacity._arrays import Color, Floats, Opacity
 from pyopacity._attributes import Guarded
 from pyopacity.bounds import Bounds
 
@@ -15,6 +15,17 @@ def one_or_all(values: npt.NDArray[np.float32]) -> float | npt.NDArray[np.float3
     """An attribute that is one for all as a number, else as an array."""
     if values.size == 1:
         return _arrays.shortest(values[0])
+    array: npt.NDArray[np.float32] = _arrays.read_only(values)
+    return array
+
+
+def one_or_all_colors(
+    values: npt.NDArray[np.float32],
+) -> tuple[float, float, float] | npt.NDArray[np.float32]:
+    """The same of one that has a value a colour: (1, 3) as three numbers."""
+    if len(values) == 1:
+        r, g, b = (_arrays.shortest(value) for value in values[0])
+        return r, g, b
     array: npt.NDArray[np.float32] = _arrays.read_only(values)
     return array
 
@@ -42,12 +53,7 @@ class Shape(Guarded):
         Raises:
             ParameterError: a value outside its range, or NaN; a wrong number of them.
         """
-        colors = self._handle.color()
-        if len(colors) == 1:
-            r, g, b = (_arrays.shortest(value) for value in colors[0])
-            return r, g, b
-        array: npt.NDArray[np.float32] = _arrays.read_only(colors)
-        return array
+        return one_or_all_colors(self._handle.color())
 
     @color.setter
     def color(self, color: Color) -> None:
@@ -112,6 +118,10 @@ class PointShape(Shape):
 
     __slots__ = ()
 
+    def __init__(self, native: _native.Shape, opacity: Opacity) -> None:
+        super().__init__(native)
+        self.opacity = opacity
+
     @property
     def points(self) -> Floats:
         """Vertices in the shape's own coordinates, (N, 3), float32 or float64 as they were given.
@@ -130,17 +140,26 @@ class PointShape(Shape):
         self._handle.set_points(_arrays.floats("points", points, ("N", 3)))
 
     @property
-    def opacity(self) -> float | npt.NDArray[np.float32]:
+    def opacity(self) -> float | tuple[float, float, float] | npt.NDArray[np.float32]:
         """The part of the light that one layer stops, in [0, 1]: a number for all, or (N,) float.
 
-        Its optical depth is ``-log1p(-opacity)``. Kept as float32.
+        Three numbers for all, or (N, 3) float, are parts of red, green and blue light; T is then
+        (N, 3) too. An array of three is one a point where the shape has three points, else RGB. Its
+        optical depth is ``-log1p(-opacity)``. Kept as float32.
 
         Raises:
             ParameterError: a value outside [0, 1] or NaN, named by its index; a wrong number of
                 them.
         """
-        return one_or_all(self._handle.opacity())
+        rgb = self._handle.opacity_rgb()
+        if rgb is None:
+            return one_or_all(self._handle.opacity())
+        return one_or_all_colors(rgb)
 
     @opacity.setter
-    def opacity(self, opacity: Attribute) -> None:
-        self._handle.set_opacity(_arrays.attribute("opacity", opacity))
+    def opacity(self, opacity: Opacity) -> None:
+        values, is_rgb = _arrays.opacity(opacity, self._handle.point_count())
+        if is_rgb:
+            self._handle.set_opacity_rgb(values)
+        else:
+            self._handle.set_opacity(values)

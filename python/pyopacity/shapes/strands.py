@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import _arrays, _native
-from pyopacity._arrays import Attribute, Color, Floats
+from pyopacity._arrays import Attribute, Color, Floats, Opacity
 from pyopacity.shapes.shape import PointShape, one_or_all
 
 
@@ -20,7 +20,8 @@ class Strands(PointShape):
         offsets: (S + 1,) of any integer dtype: from 0, never falling, to N.
         width: diameter in the shape's units, at least 0: a number for all, or (N,) float.
         opacity: the part of the light that a strand stops, in [0, 1]: a number for all, or (N,)
-            float. A strand thinner than a texel stops less, by the part of the texel it covers.
+            float; three numbers, or (N, 3), for parts of red, green and blue. A strand thinner
+            than a texel stops less, by the part of the texel it covers.
         color: linear RGB in [0, 1e9]: three numbers for all, or (N, 3) float.
 
     Raises:
@@ -36,7 +37,7 @@ class Strands(PointShape):
         points: Floats,
         offsets: npt.NDArray[np.integer[Any]],
         width: Attribute = 0.1,
-        opacity: Attribute = 0.3,
+        opacity: Opacity = 0.3,
         color: Color = (0.6, 0.4, 0.25),
     ) -> None:
         super().__init__(
@@ -44,9 +45,9 @@ class Strands(PointShape):
                 _arrays.floats("points", points, ("N", 3)),
                 _arrays.integers("offsets", offsets, ("S+1",), np.int64),
                 _arrays.attribute("width", width),
-                _arrays.attribute("opacity", opacity),
                 _arrays.colors("color", color),
-            )
+            ),
+            opacity,
         )
 
     @property

@@ -54,8 +54,10 @@ class FrameGraph {
     }
     void add(Pass pass);
 
-    // Runs what `goal` needs. If a pass throws, it and all after it stay to be run.
-    void run(const Resource& goal);
+    // Runs what the goals need. If a pass throws, it and all after it stay to be run.
+    using Goals = std::vector<const Resource*>;
+    void run(const Goals& goals);
+    void run(const Resource& goal) { run(Goals{&goal}); }
     // Called before each pass that runs; may throw to stop the frame, which then goes on where it
     // was.
     void set_interrupt_check(std::function<void()> check) { interrupt_check_ = std::move(check); }
@@ -63,7 +65,7 @@ class FrameGraph {
     void invalidate() { records_.clear(); }
 
     const Report& report() const noexcept { return report_; }
-    // Every texture and buffer that the goal of the last run needed, by name.
+    // Every texture and buffer that the goals of the last run needed, by name.
     std::vector<ResourceMemory> memory() const;
     // The last declarations as a Graphviz digraph.
     std::string graph_dot() const;
@@ -94,7 +96,7 @@ class FrameGraph {
     };
 
     void check(const Pass& pass) const;
-    std::set<const Source*> needed_for(const Resource& goal) const;
+    std::set<const Source*> needed_for(const Goals& goals) const;
     std::vector<Read> reads_now(const Pass& pass) const;
     bool outputs_intact(const Pass& pass) const;
     bool allocated_as_described(const Texture& texture) const;

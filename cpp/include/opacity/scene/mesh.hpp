@@ -26,7 +26,6 @@ class Mesh : public Shape {
          std::vector<float3> normals = {}, std::vector<float> opacity = {1.f},
          std::vector<float3> color = {{0.7f, 0.7f, 0.7f}});
 
-    ShapePtr instance() const override;
     const char* kind() const override { return "mesh"; }
     bool opaque() const override;
 
@@ -54,6 +53,7 @@ class Mesh : public Shape {
 
    private:
     Mesh(const Mesh&) = default;
+    ShapePtr clone() const override { return ShapePtr{new Mesh{*this}}; }
     void points_changed() override;
     std::vector<float3> made_normals() const;
     std::vector<float3> completed(std::vector<float3> normals) const;

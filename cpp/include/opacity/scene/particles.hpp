@@ -24,7 +24,6 @@ class Particles : public Shape {
                        std::vector<float3> color = {{0.8f, 0.8f, 0.8f}},
                        DensityProfile profile = DensityProfile::sphere);
 
-    ShapePtr instance() const override;
     double margin() const override { return max_radius_; }
     const char* kind() const override { return "particles"; }
     bool opaque() const override { return false; }
@@ -36,6 +35,7 @@ class Particles : public Shape {
 
    private:
     Particles(const Particles&) = default;
+    ShapePtr clone() const override { return ShapePtr{new Particles{*this}}; }
     void assign_radius(std::vector<float> radius);
 
     Shared<std::vector<float>> radius_;

@@ -20,6 +20,8 @@ class Scene {
     const std::vector<ShapePtr>& shapes() const { return shapes_; }
     const std::vector<LightPtr>& lights() const { return lights_; }
     Box bounds() const;
+    // Whether any shape stops colours differently.
+    bool is_tinted() const;
 
    private:
     std::vector<ShapePtr> shapes_;

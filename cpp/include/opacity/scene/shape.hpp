@@ -11,6 +11,7 @@
 #include "opacity/core/shared.hpp"
 #include "opacity/core/source.hpp"
 #include "opacity/scene/positions.hpp"
+#include "opacity/scene/tint.hpp"
 
 namespace opacity {
 
@@ -22,7 +23,7 @@ class Shape {
     // Another shape of the same content, which both share until either gets other: for many copies
     // of one tree, each with a transform and flags of its own. Equal revisions tell a device that
     // it holds that content already.
-    virtual std::shared_ptr<Shape> instance() const = 0;
+    std::shared_ptr<Shape> instance() const;
 
     // In the shape's own coordinates, everything that it can cover: widths included.
     Box local_bounds() const { return point_bounds_.padded(margin()); }
@@ -38,7 +39,15 @@ class Shape {
     const std::vector<float>& opacity() const { return *opacity_; }
     const std::vector<float3>& color() const { return *color_; }
     void set_opacity(std::vector<float> opacity);
+    // Red, green and blue light stopped by parts of their own; opacity() is then their mean.
+    void set_opacity_rgb(const std::vector<float3>& rgb);
     void set_color(std::vector<float3> color);
+
+    // Of its opacity, or of a volume's extinction; null: all colours are stopped alike.
+    const TintPtr& tint() const { return tint_; }
+    // The shape as light of one colour meets it: an instance without a tint. Equal revisions of
+    // this one make equal revisions of that.
+    std::shared_ptr<Shape> in_channel(std::size_t channel) const;
 
     // Shape to world, affine and invertible, in float64.
     const double4x4& transform() const { return transform_; }
@@ -66,6 +75,7 @@ class Shape {
     struct Revisions {
         Revision geometry = next_revision(), transform = next_revision(), opacity = next_revision(),
                  color = next_revision(), flags = next_revision();
+        bool operator==(const Revisions&) const = default;
     };
     const Revisions& revisions() const { return revisions_; }
     // Held by setters, and by a renderer while it copies: one thread may change what another draws.
@@ -73,7 +83,10 @@ class Shape {
 
    protected:
     Shape(Positions points, std::vector<float> opacity, std::vector<float3> color);
-    Shape(const Shape& other);  // for instance(), with the other's lock held
+    Shape(const Shape& other);  // for clone(), with the other's lock held
+    virtual std::shared_ptr<Shape> clone() const = 0;
+    // Takes what a colour of the tint has.
+    virtual void show(const Tint::Channel& channel);
     void check_attribute_size(const char* name, std::size_t size) const;
     // Called with the lock held, after set_points: what is made from the points is made again.
     virtual void points_changed() {}
@@ -83,11 +96,13 @@ class Shape {
     Positions points_;
     Box point_bounds_;
     Revisions revisions_;
+    TintPtr tint_;
     // Of all points, so that nobody has to look at each of them to sort shapes.
     float min_opacity_ = 0.f, max_opacity_ = 0.f;
 
    private:
     void assign_opacity(std::vector<float> opacity);
+    void find_extremes();
 
     Shared<std::vector<float>> opacity_;
     Shared<std::vector<float3>> color_;

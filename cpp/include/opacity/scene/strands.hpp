@@ -17,7 +17,6 @@ class Strands : public Shape {
     Strands(Positions points, std::vector<std::int64_t> offsets, std::vector<float> width = {0.1f},
             std::vector<float> opacity = {0.3f}, std::vector<float3> color = {{0.6f, 0.4f, 0.25f}});
 
-    ShapePtr instance() const override;
     double margin() const override { return 0.5 * max_width_; }
     const char* kind() const override { return "strands"; }
     bool opaque() const override { return false; }
@@ -34,6 +33,7 @@ class Strands : public Shape {
 
    private:
     Strands(const Strands&) = default;
+    ShapePtr clone() const override { return ShapePtr{new Strands{*this}}; }
     void assign_width(std::vector<float> width);
 
     Shared<std::vector<std::int64_t>> offsets_;

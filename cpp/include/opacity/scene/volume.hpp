@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "opacity/scene/shape.hpp"
@@ -21,7 +22,6 @@ class Volume : public Shape {
     Volume(Size size_zyx, std::vector<float> extinction, double3 origin = {0, 0, 0},
            double3 spacing = {1, 1, 1}, float3 color = {0.8f, 0.8f, 0.8f});
 
-    ShapePtr instance() const override;
     const char* kind() const override { return "volume"; }
     bool opaque() const override { return false; }
     bool invisible_to_light() const override { return max_extinction_ == 0.f; }
@@ -30,6 +30,8 @@ class Volume : public Shape {
     std::size_t voxel_count() const { return extinction_->size(); }
     const std::vector<float>& extinction() const { return *extinction_; }
     void set_extinction(std::vector<float> extinction);  // as many voxels as before
+    // Of red, green and blue light; extinction() is then their mean.
+    void set_extinction_rgb(const std::vector<float3>& rgb);
     float max_extinction() const { return max_extinction_; }
 
     const double3& origin() const { return origin_; }
@@ -42,7 +44,10 @@ class Volume : public Shape {
 
    private:
     Volume(const Volume&) = default;
-    void assign_extinction(std::vector<float> extinction);
+    ShapePtr clone() const override { return ShapePtr{new Volume{*this}}; }
+    void show(const Tint::Channel& channel) override;
+    void check_extinction(std::span<const float> values, std::size_t channels) const;
+    void assign_extinction(Shared<std::vector<float>> extinction);
     void check_points_are_settable() const override;
 
     Size size_zyx_;
