@@ -91,14 +91,14 @@ DeepOpacityMaps::Layout DeepOpacityMaps::layout(double extent_ls) const {
 void DeepOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs, Texture& start,
                                  const Places& places) const {
     auto& fine_depth = graph.value("fine/layers_depth", 1.f);
-    const DrawnLayers histogram =
-        add_histogram(graph, inputs, {&start, nullptr, &fine_depth}, fine_ratio);
+    const SampledLayers sampled = add_sampled_texels(
+        graph, inputs, add_histogram(graph, inputs, {&start, nullptr, &fine_depth}, fine_ratio));
     graph.add({.name = "extent",
-               .reads = {&histogram.map, &histogram.planes, &layers, &layer_sizes, &beyond},
+               .reads = {&sampled.texels, &sampled.drawn.planes, &layers, &layer_sizes, &beyond},
                .values = {&places.planes, &places.depth},
-               .execute = [this, histogram, places](PassContext& context) {
+               .execute = [this, sampled, places](PassContext& context) {
                    const Layout laid =
-                       layout(found_extent(sampled_texels(context, histogram), layers.get()));
+                       layout(found_extent(read_texels(context, sampled), layers.get()));
                    context.set(places.planes, laid.planes);
                    context.set(places.depth, laid.depth);
                }});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/parallel.hpp"
+
 namespace opacity::techniques {
 namespace {
 
@@ -12,49 +14,102 @@ constexpr int block_size_px = 4;
 constexpr int sampled_size_px = 128;
 constexpr std::size_t most_sampled = 4096;
 
-// One image a layer.
+// Where a sampled texel lies along a side of the map; beyond it at the end of a map that is no
+// multiple of the blocks.
+int place_in_map(int i, int stride) {
+    return i / block_size_px * block_size_px * stride + i % block_size_px;
+}
+
+int sampled_size(int map_side_px, int stride) {
+    const int pitch = block_size_px * stride;
+    return (map_side_px + pitch - 1) / pitch * block_size_px;
+}
+
+int moment_images(const DrawnLayers& drawn) {
+    return drawn.moments ? drawn.moments->desc().layers : 0;
+}
+
+bool has_span(const DrawnLayers& drawn) {
+    return drawn.span.start && drawn.span.end;
+}
+
+// What the images of sampled layers hold, by texel.
 struct ReadBack {
-    std::vector<float> targets, moment_targets;
     const DrawnLayers& drawn;
+    std::vector<float> images;
+    int width_px, height_px;
 
-    ReadBack(PassContext& context, const DrawnLayers& layers)
-        : targets{context.read<float>(layers.map)}, drawn{layers} {
-        if (layers.moments) moment_targets = context.read<float>(*layers.moments);
-    }
+    ReadBack(PassContext& context, const SampledLayers& sampled)
+        : drawn{sampled.drawn},
+          images{context.read<float>(sampled.texels)},
+          width_px{sampled.texels.desc().width},
+          height_px{sampled.texels.desc().height} {}
 
-    int layers() const { return drawn.layer_count(); }
-    std::size_t texel_count() const {
-        return std::size_t(drawn.map.desc().width) * drawn.map.desc().height;
-    }
     float plane(std::size_t texel, int k) const {
-        return drawn.unit() * targets[index_of(texel, k)];
+        const Slot slot = drawn.slot_of(k);
+        return drawn.unit() * at(texel, slot.target, slot.channel);
     }
-    float moment(std::size_t texel, int k) const { return moment_targets[index_of(texel, k)]; }
+    float moment(std::size_t texel, int k) const {
+        const Slot slot = drawn.slot_of(k);
+        return at(texel, std::size_t(drawn.map.desc().layers) + slot.target, slot.channel);
+    }
+    float depth_range(std::size_t texel) const {
+        const auto image = std::size_t(drawn.map.desc().layers + moment_images(drawn));
+        return at(texel, image, 1) - at(texel, image, 0);
+    }
+    std::vector<std::size_t> chosen() const;
 
    private:
-    std::size_t index_of(std::size_t texel, int k) const {
-        const Slot slot = drawn.slot_of(k);
-        return (slot.target * texel_count() + texel) * planes_per_target + slot.channel;
+    float at(std::size_t texel, std::size_t image, std::size_t channel) const {
+        const std::size_t count = std::size_t(width_px) * height_px;
+        return images[(image * count + texel) * planes_per_target + channel];
     }
 };
 
-std::vector<std::size_t> sampled_indices(const ReadBack& back) {
-    const int width_px = back.drawn.map.desc().width, height_px = back.drawn.map.desc().height;
+std::vector<std::size_t> ReadBack::chosen() const {
+    const TextureDesc& map = drawn.map.desc();
+    const int step = block_stride(map.width);
     std::vector<std::size_t> texels;
     std::size_t covered = 0;
-    const auto is_sampled = [stride = block_stride(width_px)](int i) {
-        return i / block_size_px % stride == 0;
-    };
     for (int y = 0; y < height_px; ++y)
         for (int x = 0; x < width_px; ++x) {
-            if (!is_sampled(x) || !is_sampled(y)) continue;
+            if (place_in_map(x, step) >= map.width || place_in_map(y, step) >= map.height) continue;
             texels.push_back(std::size_t(y) * width_px + x);
-            covered += back.plane(texels.back(), back.layers()) > 0.f;
+            covered += plane(texels.back(), drawn.layer_count()) > 0.f;
         }
     const std::size_t stride = std::max<std::size_t>(1, covered / most_sampled);
     std::vector<std::size_t> some;
     for (std::size_t i = 0; i < texels.size(); i += stride) some.push_back(texels[i]);
     return some;
+}
+
+// The form in C++ of sampled_texels.comp.glsl.
+void copy_texels(PassContext& context, const SampledLayers& sampled) {
+    const std::span<float> copies = context.memory<float>(sampled.texels);
+    const TextureDesc &desc = sampled.texels.desc(), &map = sampled.drawn.map.desc();
+    const std::size_t count = std::size_t(desc.width) * desc.height;
+    const std::size_t map_count = std::size_t(map.width) * map.height;
+    std::vector<std::span<const float>> sources{context.memory<float>(sampled.drawn.map)};
+    if (sampled.drawn.moments) sources.push_back(context.memory<float>(*sampled.drawn.moments));
+    std::span<const float> start, end;
+    if (has_span(sampled.drawn)) {
+        start = context.memory<float>(*sampled.drawn.span.start);
+        end = context.memory<float>(*sampled.drawn.span.end);
+    }
+    parallel_for(count, [&](std::size_t i) {
+        const int x = place_in_map(int(i) % desc.width, block_stride(map.width));
+        const int y = place_in_map(int(i) / desc.width, block_stride(map.width));
+        if (x >= map.width || y >= map.height) return;
+        const std::size_t texel = std::size_t(y) * map.width + x;
+        std::size_t image = 0;
+        for (const auto& source : sources)
+            for (std::size_t layer = 0; layer < source.size() / map_count / 4; ++layer)
+                std::copy_n(&source[(layer * map_count + texel) * 4], 4,
+                            &copies[(image++ * count + i) * 4]);
+        if (start.empty()) return;
+        copies[(image * count + i) * 4] = start[texel];
+        copies[(image * count + i) * 4 + 1] = end[texel];
+    });
 }
 
 }  // namespace
@@ -67,15 +122,49 @@ int block_stride(int map_width_px) {
     return std::max(1, map_width_px / sampled_size_px);
 }
 
-SampledTexels sampled_texels(PassContext& context, const DrawnLayers& drawn) {
-    const ReadBack back{context, drawn};
-    SampledTexels sampled{sampled_indices(back), drawn.planes.get(), {}, {}};
-    for (const std::size_t texel : sampled.indices)
-        for (int k = 1; k <= back.layers(); ++k) {
-            sampled.values.push_back(back.plane(texel, k));
-            if (drawn.moments) sampled.moments.push_back(back.moment(texel, k));
-        }
+SampledLayers add_sampled_texels(FrameGraph& graph, const ShadowInputs& inputs,
+                                 const DrawnLayers& drawn) {
+    const int stride = block_stride(inputs.space.width_px());
+    const TextureDesc desc{
+        .format = Format::rgba32f,
+        .width = sampled_size(inputs.space.width_px(), stride),
+        .height = sampled_size(inputs.space.height_px(), stride),
+        .layers = drawn.map.desc().layers + moment_images(drawn) + int(has_span(drawn))};
+    const SampledLayers sampled{drawn, graph.texture("sampled_texels", desc)};
+    Defines defines{{"LAYERS", "t_" + drawn.map.shader_name()},
+                    {"BLOCK_PX", std::to_string(block_size_px)},
+                    {"BLOCK_STRIDE", std::to_string(stride)}};
+    Reads reads{&drawn.map};
+    if (drawn.moments) {
+        defines.emplace_back("MOMENTS", "t_" + drawn.moments->shader_name());
+        reads.push_back(drawn.moments);
+    }
+    if (has_span(drawn)) {
+        defines.emplace_back("HAS_SPAN", "1");
+        reads.insert(reads.end(), {drawn.span.start, drawn.span.end});
+    }
+    graph.add({.name = "sampled_texels",
+               .shader = {.compute = "sampled_texels.comp.glsl", .defines = std::move(defines)},
+               .only_with = &inputs.translucent,
+               .reads = std::move(reads),
+               .stores = {&sampled.texels},
+               .execute = [count = desc.width *
+                                   desc.height](PassContext& context) { context.dispatch(count); },
+               .on_cpu = [sampled](PassContext& context) { copy_texels(context, sampled); }});
     return sampled;
+}
+
+SampledTexels read_texels(PassContext& context, const SampledLayers& sampled) {
+    const ReadBack back{context, sampled};
+    SampledTexels some{sampled.drawn.planes.get(), {}, {}, {}};
+    for (const std::size_t texel : back.chosen()) {
+        for (int k = 1; k <= sampled.drawn.layer_count(); ++k) {
+            some.values.push_back(back.plane(texel, k));
+            if (sampled.drawn.moments) some.moments.push_back(back.moment(texel, k));
+        }
+        if (has_span(sampled.drawn)) some.depth_ranges.push_back(back.depth_range(texel));
+    }
+    return some;
 }
 
 }  // namespace opacity::techniques

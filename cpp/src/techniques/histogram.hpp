@@ -1,10 +1,12 @@
-// A fine histogram of the optical depth in a map's texels, which searches of planes read back.
+// A fine histogram of the optical depth in a map's texels, and the texels that searches of planes
+// read back.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "opacity/core/optical_depth_profiles.hpp"
-#include "opacity/graph/frame_graph.hpp"
+#include "opacity/technique.hpp"
 #include "techniques/drawn_layers.hpp"
 
 namespace opacity::techniques {
@@ -18,16 +20,24 @@ int fine_layer_count(int map_width_px);
 // It holds one block of 4 x 4 texels in so many, both ways.
 int block_stride(int map_width_px);
 
-// Some texels of drawn layers, the same whatever layers of the same casters: those of a map of
-// limited size, spread over the whole.
+// Those blocks of drawn layers side by side, so that a search reads back no more than it looks at.
+struct SampledLayers {
+    DrawnLayers drawn;
+    Texture& texels;  // images of the layers, of their moments, and of the span
+};
+SampledLayers add_sampled_texels(FrameGraph& graph, const ShadowInputs& inputs,
+                                 const DrawnLayers& drawn);
+
+// Some of them, the same whatever layers of the same casters.
 struct SampledTexels {
-    std::vector<std::size_t> indices;  // in the map
     std::vector<float> planes, values, moments;
+    // Of each texel's layers, in light space; empty without a span.
+    std::vector<float> depth_ranges;
 
     OpticalDepthProfiles profiles() const {
         return {.planes = planes, .values = values, .moments = moments};
     }
 };
-SampledTexels sampled_texels(PassContext& context, const DrawnLayers& drawn);
+SampledTexels read_texels(PassContext& context, const SampledLayers& sampled);
 
 }  // namespace opacity::techniques

@@ -43,12 +43,13 @@ LookUp OpacityShadowMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
 
 void OpacityShadowMaps::add_slices(FrameGraph& graph, const ShadowInputs& inputs,
                                    Planes& planes) const {
-    const DrawnLayers histogram = add_histogram(graph, inputs, {}, 0.0);
+    const SampledLayers sampled =
+        add_sampled_texels(graph, inputs, add_histogram(graph, inputs, {}, 0.0));
     graph.add({.name = "slices",
-               .reads = {&histogram.map, &histogram.planes, &layers},
+               .reads = {&sampled.texels, &sampled.drawn.planes, &layers},
                .values = {&planes},
-               .execute = [histogram, &planes, &layers = layers](PassContext& context) {
-                   const auto lost = lost_light(sampled_texels(context, histogram));
+               .execute = [sampled, &planes, &layers = layers](PassContext& context) {
+                   const auto lost = lost_light(read_texels(context, sampled));
                    context.set(planes, density_slices(layers.get(), lost));
                }});
 }

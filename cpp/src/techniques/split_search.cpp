@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "opacity/core/split.hpp"
 #include "scene/bias.hpp"
@@ -17,14 +18,10 @@ struct Sample {
     std::vector<float> biases;
 
     // `bias` as a part of the light's depth range.
-    Sample(PassContext& context, const DrawnLayers& drawn, double bias)
-        : texels{sampled_texels(context, drawn)} {
-        const auto start = context.read<float>(*drawn.span.start);
-        const auto end = context.read<float>(*drawn.span.end);
-        for (const std::size_t texel : texels.indices) {
-            const float range = end[texel] - start[texel];
+    Sample(PassContext& context, const SampledLayers& sampled, double bias)
+        : texels{read_texels(context, sampled)} {
+        for (const float range : texels.depth_ranges)
             biases.push_back(range > 0.f ? float(std::min(1.0, bias / double(range))) : 1.f);
-        }
     }
     OpticalDepthProfiles profiles() const {
         return {texels.planes, texels.values, biases, texels.moments};
@@ -57,15 +54,15 @@ double relative_bias(const ShadowInputs& inputs, const AutoParam<double>& bias) 
 void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
                               const DrawnLayers& histogram,
                               Value<std::vector<float>>& planes) const {
+    const SampledLayers sampled = add_sampled_texels(graph, inputs, histogram);
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,
-               .reads = {&histogram.map, &histogram.planes, histogram.span.start,
-                         histogram.span.end, &layers, &similarity, &bias, &own_correction,
-                         &interpolation, &paper_lut, &request},
+               .reads = {&sampled.texels, &histogram.planes, &layers, &similarity, &bias,
+                         &own_correction, &interpolation, &paper_lut, &request},
                .values = {&planes},
-               .execute = [search = *this, measure = measure(inputs), histogram, &planes,
+               .execute = [search = *this, measure = measure(inputs), sampled, &planes,
                            bias_ls = relative_bias(inputs, bias)](PassContext& context) {
-                   const Sample fine{context, histogram, bias_ls};
+                   const Sample fine{context, sampled, bias_ls};
                    const std::size_t trial = find_split_trial(FineProfiles{fine.profiles()},
                                                               search.layers.get(), measure);
                    context.set(planes, search.planes(trial_ratio(trial)));
@@ -108,11 +105,14 @@ SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInpu
 const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inputs,
                                      const Trials& trials, const DrawnLayers& drawn,
                                      const DrawnLayers& fine) const {
-    const bool has_fine = &fine.map != &drawn.map;
-    Reads reads{&drawn.map,
+    const SampledLayers sampled = add_sampled_texels(graph, inputs, drawn);
+    std::optional<SampledLayers> exact;
+    if (&fine.map != &drawn.map) {
+        const FrameGraph::Scope scope{graph, "fine"};
+        exact.emplace(add_sampled_texels(graph, inputs, fine));
+    }
+    Reads reads{&sampled.texels,
                 &drawn.planes,
-                drawn.span.start,
-                drawn.span.end,
                 &trials.searched,
                 &inputs.light,
                 &inputs.translucent.opacity,
@@ -123,23 +123,22 @@ const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inpu
                 &interpolation,
                 &paper_lut,
                 &request};
-    if (drawn.moments) reads.push_back(drawn.moments);
-    if (has_fine) reads.insert(reads.end(), {&fine.map, &fine.planes});
+    if (exact) reads.insert(reads.end(), {&exact->texels, &fine.planes});
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,
                .reads = std::move(reads),
                .values = {&trials.scores, &trials.opaque},
-               .execute = [measure = measure(inputs), trials, drawn, fine, has_fine,
+               .execute = [measure = measure(inputs), trials, sampled, exact,
                            &opaque_depth = inputs.opaque_depth,
                            bias_ls = relative_bias(inputs, bias)](PassContext& context) {
                    std::vector<double> scores = trials.scores.get();
                    const bool is_trial = scores.size() < split_trials;
                    if (scores.empty()) context.set(trials.opaque, opaque_depth.revision());
                    if (is_trial) {
-                       const Sample layers{context, drawn, bias_ls};
-                       const Sample exact = has_fine ? Sample{context, fine, bias_ls} : layers;
+                       const Sample layers{context, sampled, bias_ls};
+                       const Sample fine = exact ? Sample{context, *exact, bias_ls} : layers;
                        scores.push_back(
-                           split_score(measure, layers.profiles(), FineProfiles{exact.profiles()}));
+                           split_score(measure, layers.profiles(), FineProfiles{fine.profiles()}));
                        context.set(trials.scores, scores);
                    }
                    context.note(progress(scores, measure.similarity, is_trial));
