@@ -33,11 +33,14 @@ int layer_of(int curve, float x) {
     return low;
 }
 
+// Whether x lies in a layer before plane k: without looking for that layer.
+bool in_front_of(int curve, int k, float x) { return k == u_layers || x < plane(curve, k); }
+
 // The part that plane k counts of a caster from `begin` to `end`: of a point, whose begin is its end,
 // all or nothing, by whether the plane lies behind its own layer.
 float counted_at(int curve, int k, float begin, float end) {
     if (end > begin) return part_in_front(begin, end, plane(curve, k));
-    return k > layer_of(curve, begin) ? 1.0 : 0.0;
+    return in_front_of(curve, k, begin) ? 1.0 : 0.0;
 }
 
 // The mean position of what plane k counts of it.
@@ -49,6 +52,6 @@ float mean_in_front(int curve, int k, float begin, float end) {
 // that a look-up in `layer`, so far `along` it, has counted.
 float counted(int curve, float begin, float end, int layer, float along) {
     if (end > begin) return mix(counted_at(curve, layer, begin, end), counted_at(curve, layer + 1, begin, end), along);
-    int own = layer_of(curve, begin);
-    return own < layer ? 1.0 : own > layer ? 0.0 : along;
+    if (in_front_of(curve, layer, begin)) return 1.0;
+    return in_front_of(curve, layer + 1, begin) ? along : 0.0;
 }

@@ -21,11 +21,16 @@ inline int layer_of(std::span<const float> planes, float x) {
     return int(above - planes.begin()) - 1;
 }
 
+// Whether x lies in a layer before plane k: without looking for that layer.
+inline bool in_front_of(std::span<const float> planes, int k, float x) {
+    return std::size_t(k) + 1 == planes.size() || x < planes[std::size_t(k)];
+}
+
 // The part that plane k counts of a caster from `begin` to `end`: of a point, whose begin is its
 // end, all or nothing, by whether the plane lies behind its own layer.
 inline float counted_at(std::span<const float> planes, int k, float begin, float end) {
     if (end > begin) return part_in_front(begin, end, planes[std::size_t(k)]);
-    return k > layer_of(planes, begin) ? 1.f : 0.f;
+    return in_front_of(planes, k, begin) ? 1.f : 0.f;
 }
 
 // The mean position of what plane k counts of it.
@@ -40,8 +45,8 @@ inline float counted(std::span<const float> planes, float begin, float end, int 
     if (end > begin)
         return counted_at(planes, layer, begin, end) * (1.f - along) +
                counted_at(planes, layer + 1, begin, end) * along;
-    const int own = layer_of(planes, begin);
-    return own < layer ? 1.f : own > layer ? 0.f : along;
+    if (in_front_of(planes, layer, begin)) return 1.f;
+    return in_front_of(planes, layer + 1, begin) ? along : 0.f;
 }
 
 }  // namespace opacity
