@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <tuple>
 #include <vector>
@@ -93,7 +94,7 @@ Texels fragments_of(const FragmentSource& source) {
     return texels;
 }
 
-// The same in one band of rows, on one thread.
+// The same of every primitive in one band of rows, on one thread.
 Texels in_one_band(const FragmentSource& source) {
     Texels texels(std::size_t(size_px) * size_px);
     const auto add = [&](const Fragment& f) { texels[f.texel].push_back(f); };
@@ -101,7 +102,9 @@ Texels in_one_band(const FragmentSource& source) {
     const Rows all{0, size_px};
     for (const ShapePtr& shape : source.shapes) {
         const LightCaster& caster = source.casters.caster(shape, source.space);
-        caster_fragments(caster, source, nullptr, all, sink);
+        std::vector<std::uint32_t> every(primitive_count(caster));
+        std::iota(every.begin(), every.end(), 0u);
+        caster_fragments(caster, every, source, nullptr, all, sink);
     }
     return texels;
 }

@@ -53,7 +53,7 @@ TEST_CASE("positions keep their type, and float64 survives an offset that float3
           std::vector<float>{0.125f, 0, 0, 3, 0.25f, 0, 0, 4});
     const std::vector<float> one{5.f};
     CHECK(points.relative_to({1e7, 0, 0}, one)[7] == 5.f);
-    CHECK(std::holds_alternative<std::vector<double>>(points.xyz()));
+    CHECK(std::holds_alternative<std::span<const double>>(points.xyz()));
     CHECK(points.bounds() == Box{{1e7 + 0.125, 0, 0}, {1e7 + 0.25, 0, 0}});
 }
 

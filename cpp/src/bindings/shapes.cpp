@@ -14,12 +14,10 @@ namespace {
 py::array points_of(const Shape& shape) {
     Positions points = copied(shape, [](const Shape& s) { return s.points(); });
     const auto size = static_cast<py::ssize_t>(points.size());
-    return std::visit(
-        [size](const auto& xyz) {
-            using Number = typename std::decay_t<decltype(xyz)>::value_type;
-            return take<Number, Number>(xyz, {size, 3});
-        },
-        points.xyz());
+    return points.visit([size](const auto& xyz) {
+        using Number = typename std::decay_t<decltype(xyz)>::value_type;
+        return take<Number, Number>(std::vector<Number>{xyz.begin(), xyz.end()}, {size, 3});
+    });
 }
 
 py::tuple bounds_of(const Shape& shape) {

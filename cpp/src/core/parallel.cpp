@@ -13,7 +13,7 @@
 namespace opacity {
 namespace {
 
-using Work = std::function<void(std::size_t, std::stop_token)>;
+using Work = std::function<void(std::size_t, const std::stop_token&)>;
 
 // Shared by the threads of one call.
 class Crew {
@@ -21,9 +21,10 @@ class Crew {
     Crew(std::size_t count, const Work& work) : count_{count}, work_{work} {}
 
     void help() {
+        const std::stop_token stop = stop_.get_token();
         try {
-            for (std::size_t i = 0; !stop_.stop_requested() && (i = next_++) < count_;) {
-                work_(i, stop_.get_token());
+            for (std::size_t i = 0; !stop.stop_requested() && (i = next_++) < count_;) {
+                work_(i, stop);
                 ++done_;
             }
         } catch (...) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "map/block_sample.hpp"
 #include "map/face.hpp"
 #include "map/interval.hpp"
 #include "map/light_casters.hpp"
@@ -26,6 +27,12 @@ struct Fragment {
 struct Rows {
     int begin, end;
 };
+// Those of a face between two places in it; none where these are not numbers.
+inline Rows rows_between(float low, float high, int map_size_px) {
+    const float last = float(map_size_px) - 1.f;
+    if (!(high >= 0.f && low <= last + 1.f)) return {0, 0};
+    return {int(std::clamp(low, 0.f, last)), int(std::clamp(high, 0.f, last)) + 1};
+}
 
 struct FragmentSource {
     LightCasters& casters;
@@ -36,16 +43,18 @@ struct FragmentSource {
     bool optical_depth = true;
     bool moved_back = false;  // surfaces, away from the light (map/surface.hpp)
     SplitPlace split = {};    // of a directional light, whose texels `space` tells then
+    BlockSample sample = {};  // of the whole map's texels, those that are wanted
 
     // Of these shapes alone.
     FragmentSource of(const std::vector<ShapePtr>& some) const {
-        return {casters,       some,          space,      opaque_depth,
-                paper_deposit, optical_depth, moved_back, split};
+        return {casters,       some,       space, opaque_depth, paper_deposit,
+                optical_depth, moved_back, split, sample};
     }
     // The same through one of the faces, or splits, of the light.
     FragmentSource through(const LightSpace& space_there, int face) const {
         return {casters,       shapes,        space_there, opaque_depth,
-                paper_deposit, optical_depth, moved_back,  split_place(space_there, face)};
+                paper_deposit, optical_depth, moved_back,  split_place(space_there, face),
+                sample};
     }
 };
 
@@ -55,12 +64,20 @@ template <class Add>
 class FragmentSink {
    public:
     FragmentSink(const FragmentSource& source, const std::array<int, 2>& corner_px, Add& add)
-        : source_{source}, corner_px_{corner_px}, width_px_{source.space.width_px()}, add_{add} {}
+        : source_{source},
+          sample_{source.sample},
+          corner_px_{corner_px},
+          width_px_{source.space.width_px()},
+          add_{add} {}
 
+    bool wants_column(int x) const { return sample_.holds(x + corner_px_[0]); }
+    bool wants_row(int y) const { return sample_.holds(y + corner_px_[1]); }
     // `x` and `y` within the face.
     template <class OpticalDepth>
-    void operator()(int x, int y, float depth, float depth_end, OpticalDepth optical_depth) {
+    [[gnu::always_inline]] void operator()(int x, int y, float depth, float depth_end,
+                                           OpticalDepth optical_depth) {
         x += corner_px_[0], y += corner_px_[1];
+        if (!sample_.holds(x, y)) return;
         const std::size_t texel = std::size_t(y) * width_px_ + x;
         depth = std::max(depth, 0.f);
         depth_end = std::max(depth_end, depth);
@@ -78,6 +95,7 @@ class FragmentSink {
 
    private:
     const FragmentSource& source_;
+    const BlockSample sample_;
     const std::array<int, 2> corner_px_;
     const int width_px_;
     Add& add_;

@@ -10,21 +10,21 @@
 
 namespace opacity {
 
-// All of one caster within the rows of a face.
+// Those of some primitives of one caster, within the rows of a face.
 template <class Sink>
-void caster_fragments(const LightCaster& caster, const FragmentSource& source, const MapFace* face,
-                      Rows rows, Sink&& sink) {
+void caster_fragments(const LightCaster& caster, std::span<const std::uint32_t> primitives,
+                      const FragmentSource& source, const MapFace* face, Rows rows, Sink&& sink) {
     switch (caster.kind) {
         case CasterKind::strands:
-            for (const std::uint32_t first : caster.indices)
-                segment_fragments(caster, first, source, face, rows, sink);
+            for (const std::uint32_t i : primitives)
+                segment_fragments(caster, caster.indices[i], source, face, rows, sink);
             return;
         case CasterKind::mesh:
-            for (std::size_t first = 0; first + 2 < caster.indices.size(); first += 3)
-                triangle_fragments(caster, first, source, face, rows, sink);
+            for (const std::uint32_t i : primitives)
+                triangle_fragments(caster, std::size_t{3} * i, source, face, rows, sink);
             return;
         case CasterKind::particles:
-            for (std::size_t i = 0; i < caster.points.size(); ++i)
+            for (const std::uint32_t i : primitives)
                 particle_fragments(caster, i, source, face, rows, sink);
             return;
         case CasterKind::volume:
@@ -37,19 +37,18 @@ void for_each_fragment(const FragmentSource& source, Add add) {
     std::vector<const LightCaster*> casters;
     for (const ShapePtr& shape : source.shapes)
         casters.push_back(&source.casters.caster(shape, source.space));
-    constexpr int band_rows = 32;
-    const int size_px = source.space.map_size_px;
-    const std::size_t bands = std::size_t(size_px + band_rows - 1) / band_rows;
+    const std::size_t bands = bands_a_face(source.space);
     const MapFaces faces{source.space};
-    parallel_for(bands * std::size_t(source.space.face_count()), [&](std::size_t part) {
-        const int face = int(part / bands), first = int(part % bands) * band_rows;
-        const Rows rows{first, std::min(first + band_rows, size_px)};
+    parallel_for(bands * std::size_t(source.space.face_count()), [&](std::size_t band) {
+        const int face = int(band / bands), first = int(band % bands) * band_rows;
+        const Rows rows{first, std::min(first + band_rows, source.space.map_size_px)};
         const LightSpace space = with_texels_of(source.space, face);
         const FragmentSource through = source.through(space, face);
         FragmentSink<Add> sink{through, space.corner_px(face), add};
         const MapFace* seen_through = space.is_parallel() ? nullptr : &faces[face];
         for (const LightCaster* caster : casters)
-            caster_fragments(*caster, through, seen_through, rows, sink);
+            caster_fragments(*caster, caster->bands.primitives(band), through, seen_through, rows,
+                             sink);
     });
 }
 

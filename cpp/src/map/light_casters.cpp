@@ -2,12 +2,15 @@
 
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "map/voxels.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/strands.hpp"
 
 namespace opacity {
 namespace {
+
+constexpr std::size_t points_at_once = 1 << 14;
 
 // What a vertex shader gets: light space from the points' own frame, joined in float64.
 std::array<float, 12> light_from_local(const Shape& shape, const LightSpace& space,
@@ -37,20 +40,26 @@ const std::vector<float>& widths_of(const Shape& shape) {
 std::vector<float4> light_points(const Shape& shape, const LightSpace& space) {
     const Box bounds = shape.points().bounds();
     const double3 origin = bounds.empty() ? double3{} : bounds.center();
-    const std::vector<float> local = shape.points().relative_to(origin, widths_of(shape));
+    const std::vector<float>& widths = widths_of(shape);
     const std::array<float, 12> m = light_from_local(shape, space, origin);
     const float size =
         float(shape.scale()) *
         (space.is_parallel() ? float(space.texels_per_unit) : 1.f / float(space.depth_range));
     std::vector<float4> points(shape.points().size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const float* p = &local[4 * i];
-        for (int row = 0; row < 3; ++row) {
-            const float* r = &m[4 * row];
-            points[i][row] = r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3];
-        }
-        points[i][3] = p[3] * size;
-    }
+    shape.points().visit([&](const auto& xyz) {
+        parallel_parts(points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                float3 p;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    p[axis] = float(double(xyz[3 * i + axis]) - origin[axis]);
+                for (std::size_t row = 0; row < 3; ++row) {
+                    const float* r = &m[4 * row];
+                    points[i][row] = r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3];
+                }
+                points[i][3] = widths[widths.size() > 1 ? i : 0] * size;
+            }
+        });
+    });
     return points;
 }
 
@@ -84,12 +93,14 @@ void place_in_light(LightCaster& caster, const Shape& shape, const LightSpace& s
     const auto* volume = dynamic_cast<const Volume*>(&shape);
     if (!volume) {
         caster.points = light_points(shape, space);
+        caster.bands = CasterBands{caster, space};
         return;
     }
     const VoxelSpace voxels =
         voxel_space(space.from_world, shape.transform(), local_from_voxels(*volume));
     caster.light_from_voxels = columns_of(voxels.from_voxels);
     caster.voxels_from_light = columns_of(voxels.to_voxels);
+    caster.bands = CasterBands{caster, space};
 }
 
 }  // namespace
@@ -106,11 +117,11 @@ const LightCaster& LightCasters::caster(const ShapePtr& shape_ptr, const LightSp
     cached.shape = shape_ptr;
     LightCaster& caster = cached.caster;
     caster.volume = std::move(shared);
+    if (cached.opacity != now.opacity) caster.opacity = shape.opacity();
     if (cached.geometry != now.geometry) copy_geometry(caster, shape);
     if (cached.geometry != now.geometry || cached.transform != now.transform ||
         cached.space != space)
         place_in_light(caster, shape, space);
-    if (cached.opacity != now.opacity) caster.opacity = shape.opacity();
     cached.geometry = now.geometry;
     cached.transform = now.transform;
     cached.opacity = now.opacity;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "map/alpha.hpp"
+#include "map/caster_bands.hpp"
 #include "map/volume_slabs.hpp"
 #include "opacity/scene/light_space.hpp"
 #include "opacity/scene/particles.hpp"
@@ -32,6 +33,7 @@ struct LightCaster {
     std::shared_ptr<const Volume> volume;  // what it shares with the shape
     std::vector<Slab> slabs;
     std::array<float4, 4> light_from_voxels{}, voxels_from_light{};  // columns
+    CasterBands bands;
 
     float opacity_at(std::size_t i) const { return opacity[opacity.size() > 1 ? i : 0]; }
 };

@@ -39,4 +39,10 @@ std::optional<MapSphere> sphere_in_map(const float4& p, const LightSpace& space,
     return sphere;
 }
 
+Rows particle_rows(const LightCaster& caster, std::size_t particle, const LightSpace& space,
+                   const MapFace* face, const SplitPlace& split) {
+    const auto sphere = sphere_in_map(split.place(caster.points[particle]), space, face);
+    return sphere ? rows_between(sphere->low[1], sphere->high[1], space.map_size_px) : Rows{0, 0};
+}
+
 }  // namespace opacity

@@ -27,6 +27,10 @@ struct MapSphere {
 std::optional<MapSphere> sphere_in_map(const float4& particle, const LightSpace& space,
                                        const MapFace* face);
 
+// Those that it may leave fragments in.
+Rows particle_rows(const LightCaster& caster, std::size_t particle, const LightSpace& space,
+                   const MapFace* face, const SplitPlace& split);
+
 template <class Sink>
 void particle_fragments(const LightCaster& caster, std::size_t particle,
                         const FragmentSource& source, const MapFace* face, Rows rows, Sink&& sink) {

@@ -17,8 +17,14 @@ inline float between(float start, float end, float depth) {
 
 // The layer j in 0 .. K - 1 with planes[j] <= x < planes[j + 1]; the last one is closed at its end.
 inline int layer_of(std::span<const float> planes, float x) {
-    const auto above = std::upper_bound(planes.begin() + 1, planes.end() - 1, x);
-    return int(above - planes.begin()) - 1;
+    // As std::upper_bound, without a branch that is hard to foretell.
+    const float* below = planes.data();
+    for (std::size_t count = planes.size() - 2; count > 0;) {
+        const std::size_t half = (count + 1) / 2;
+        below = x < below[half] ? below : below + half;
+        count -= half;
+    }
+    return int(below - planes.data());
 }
 
 // Whether x lies in a layer before plane k: without looking for that layer.

@@ -52,7 +52,7 @@ struct RibbonColumn {
     RibbonColumn(const MajorSegment& s, float root_width_texels, float tip_width_texels,
                  float column)
         : along{std::min(s.end(), column + 0.5f) - std::max(s.begin(), column - 0.5f)} {
-        place = std::clamp((column - s.x) / s.dx, 0.f, 1.f);
+        place = std::min(std::max((column - s.x) / s.dx, 0.f), 1.f);
         const float width = MajorSegment::mix(root_width_texels, tip_width_texels, place);
         half_width = 0.5f * width * s.stretch;
         y = s.y + s.slope * (column - s.x);
@@ -61,7 +61,7 @@ struct RibbonColumn {
     // c, of the texel whose middle is at `row`.
     float across(float row) const {
         const float top = std::min(y + half_width, row + 0.5f);
-        return std::clamp(top - std::max(y - half_width, row - 0.5f), 0.f, 1.f);
+        return std::min(std::max(top - std::max(y - half_width, row - 0.5f), 0.f), 1.f);
     }
 };
 

@@ -75,6 +75,23 @@ void triangle_texels(const std::array<float4, 3>& p, const LightSpace& space, Ro
         }
 }
 
+Rows triangle_rows(const LightCaster& caster, const std::uint32_t* corners, const MapFace* face,
+                   const SplitPlace& split, int map_size_px) {
+    float low = float(map_size_px), high = 0.f;
+    int before = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float4& p = caster.points[corners[i]];
+        const float3 q{p[0], p[1], p[2]};
+        if (face && face->seen(q)[2] < least_forward) continue;
+        const float y = face ? face->place(q)[1] : split.place(q)[1];
+        low = std::min(low, y), high = std::max(high, y);
+        ++before;
+    }
+    if (before == 0) return {0, 0};
+    if (before < 3) return {0, map_size_px};  // cut, it reaches anywhere
+    return rows_between(low - 1.f, high + 1.f, map_size_px);
+}
+
 // From the corners as they are, not on the grid: an edge of the mask would show the difference.
 TriangleCoverage::TriangleCoverage(const LightCaster& caster, const std::uint32_t* corners,
                                    const std::array<float4, 3>& places)

@@ -20,6 +20,10 @@ struct TriangleTexel {
 void triangle_texels(const std::array<float4, 3>& corners, const LightSpace& space, Rows rows,
                      const std::function<void(const TriangleTexel&)>& texel);
 
+// Those that the triangle may leave fragments in, or more.
+Rows triangle_rows(const LightCaster& caster, const std::uint32_t* corners, const MapFace* face,
+                   const SplitPlace& split, int map_size_px);
+
 // What one triangle of a mesh with an alpha map covers of a texel.
 class TriangleCoverage {
    public:

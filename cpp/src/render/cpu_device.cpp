@@ -48,7 +48,12 @@ void CpuDevice::clear(const Pass& pass) {
             continue;
         }
         const float4 color = target.clear_color.value_or(pass.state.clear_color);
-        for (std::size_t i = 0; i < count; ++i) first[i] = color[i % channels(desc.format)];
+        if (color == float4{}) {
+            std::fill_n(first, count, 0.f);
+            continue;
+        }
+        const std::size_t each = std::size_t(channels(desc.format));
+        for (std::size_t i = 0; i < count; i += each) std::copy_n(color.begin(), each, first + i);
     }
 }
 

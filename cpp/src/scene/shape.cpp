@@ -24,8 +24,7 @@ std::string point_text(const double3& p) {
 }
 
 void check_points(const Positions& points) {
-    const std::size_t numbers =
-        std::visit([](const auto& xyz) { return xyz.size(); }, points.xyz());
+    const std::size_t numbers = points.visit([](const auto& xyz) { return xyz.size(); });
     if (numbers % 3 != 0)
         throw ParameterError("points holds " + std::to_string(numbers) + " numbers",
                              "pass three a point: x0 y0 z0 x1 ...");

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "map/block_sample.hpp"
 #include "opacity/core/split.hpp"
 #include "opacity/graph/frame_graph.hpp"
 
@@ -61,7 +62,13 @@ struct DrawnLayers {
     bool ignores_beyond = false;  // what lies behind the last layer casts nothing
     bool is_swept = false;        // the map holds four planes at a time
     LocalCurves curves = {};
+    BlockSample kept = {};  // of the light's map; nothing stands between these blocks
 
+    // Of a texel of the light's map, in an image.
+    std::size_t place_of(int x, int y) const {
+        return std::size_t(kept.packed(y)) * std::size_t(map.desc().width) +
+               std::size_t(kept.packed(x));
+    }
     int layer_count() const { return int(planes.get().size()) / curves.count() - 1; }
 
     // The optical depth that a 1 in the map means.

@@ -7,23 +7,10 @@
 namespace opacity::techniques {
 namespace {
 
-constexpr int block_size_px = 4;
-
 // Texels that a search looks at: those of a map of this size, spread over the whole, and of those
 // so many with casters, with the empty ones between them.
 constexpr int sampled_size_px = 128;
 constexpr std::size_t most_sampled = 4096;
-
-// Where a sampled texel lies along a side of the map; beyond it at the end of a map that is no
-// multiple of the blocks.
-int place_in_map(int i, int stride) {
-    return i / block_size_px * block_size_px * stride + i % block_size_px;
-}
-
-int sampled_size(int map_side_px, int stride) {
-    const int pitch = block_size_px * stride;
-    return (map_side_px + pitch - 1) / pitch * block_size_px;
-}
 
 int moment_images(const DrawnLayers& drawn) {
     return drawn.moments ? drawn.moments->desc().layers : 0;
@@ -35,12 +22,14 @@ bool has_span(const DrawnLayers& drawn) {
 
 // What the images of sampled layers hold, by texel.
 struct ReadBack {
+    const SampledLayers& sampled;
     const DrawnLayers& drawn;
     std::vector<float> images;
     int width_px, height_px;
 
-    ReadBack(PassContext& context, const SampledLayers& sampled)
-        : drawn{sampled.drawn},
+    ReadBack(PassContext& context, const SampledLayers& layers)
+        : sampled{layers},
+          drawn{sampled.drawn},
           images{context.read<float>(sampled.texels)},
           width_px{sampled.texels.desc().width},
           height_px{sampled.texels.desc().height} {}
@@ -67,13 +56,14 @@ struct ReadBack {
 };
 
 std::vector<std::size_t> ReadBack::chosen() const {
-    const TextureDesc& map = drawn.map.desc();
-    const int step = block_stride(map.width);
+    const BlockSample blocks = sampled.blocks();
     std::vector<std::size_t> texels;
     std::size_t covered = 0;
     for (int y = 0; y < height_px; ++y)
         for (int x = 0; x < width_px; ++x) {
-            if (place_in_map(x, step) >= map.width || place_in_map(y, step) >= map.height) continue;
+            if (blocks.unpacked(x) >= sampled.map_width_px ||
+                blocks.unpacked(y) >= sampled.map_height_px)
+                continue;
             texels.push_back(std::size_t(y) * width_px + x);
             covered += plane(texels.back(), drawn.layer_count()) > 0.f;
         }
@@ -87,6 +77,7 @@ std::vector<std::size_t> ReadBack::chosen() const {
 void copy_texels(PassContext& context, const SampledLayers& sampled) {
     const std::span<float> copies = context.memory<float>(sampled.texels);
     const TextureDesc &desc = sampled.texels.desc(), &map = sampled.drawn.map.desc();
+    const BlockSample blocks = sampled.blocks();
     const std::size_t count = std::size_t(desc.width) * desc.height;
     const std::size_t map_count = std::size_t(map.width) * map.height;
     std::vector<std::span<const float>> sources{context.memory<float>(sampled.drawn.map)};
@@ -96,19 +87,23 @@ void copy_texels(PassContext& context, const SampledLayers& sampled) {
         start = context.memory<float>(*sampled.drawn.span.start);
         end = context.memory<float>(*sampled.drawn.span.end);
     }
-    parallel_for(count, [&](std::size_t i) {
-        const int x = place_in_map(int(i) % desc.width, block_stride(map.width));
-        const int y = place_in_map(int(i) / desc.width, block_stride(map.width));
-        if (x >= map.width || y >= map.height) return;
-        const std::size_t texel = std::size_t(y) * map.width + x;
+    const auto copy_texel = [&](std::size_t i) {
+        const int x = blocks.unpacked(int(i) % desc.width);
+        const int y = blocks.unpacked(int(i) / desc.width);
+        if (x >= sampled.map_width_px || y >= sampled.map_height_px) return;
+        const std::size_t place = sampled.drawn.place_of(x, y);
         std::size_t image = 0;
         for (const auto& source : sources)
             for (std::size_t layer = 0; layer < source.size() / map_count / 4; ++layer)
-                std::copy_n(&source[(layer * map_count + texel) * 4], 4,
+                std::copy_n(&source[(layer * map_count + place) * 4], 4,
                             &copies[(image++ * count + i) * 4]);
         if (start.empty()) return;
+        const std::size_t texel = std::size_t(y) * sampled.map_width_px + x;
         copies[(image * count + i) * 4] = start[texel];
         copies[(image * count + i) * 4 + 1] = end[texel];
+    };
+    parallel_parts(count, std::size_t(desc.width), [&](std::size_t begin, std::size_t end_of_row) {
+        for (std::size_t i = begin; i < end_of_row; ++i) copy_texel(i);
     });
 }
 
@@ -118,22 +113,24 @@ int fine_layer_count(int map_width_px) {
     return map_width_px <= 1024 ? 64 : map_width_px <= 2048 ? 32 : 16;
 }
 
-int block_stride(int map_width_px) {
-    return std::max(1, map_width_px / sampled_size_px);
+BlockSample searched_blocks(int map_width_px) {
+    return {std::max(1, map_width_px / sampled_size_px)};
 }
 
 SampledLayers add_sampled_texels(FrameGraph& graph, const ShadowInputs& inputs,
                                  const DrawnLayers& drawn) {
-    const int stride = block_stride(inputs.space.width_px());
+    const int map_width_px = inputs.space.width_px(), map_height_px = inputs.space.height_px();
+    const BlockSample blocks = searched_blocks(map_width_px);
     const TextureDesc desc{
         .format = Format::rgba32f,
-        .width = sampled_size(inputs.space.width_px(), stride),
-        .height = sampled_size(inputs.space.height_px(), stride),
+        .width = blocks.packed_px(map_width_px),
+        .height = blocks.packed_px(map_height_px),
         .layers = drawn.map.desc().layers + moment_images(drawn) + int(has_span(drawn))};
-    const SampledLayers sampled{drawn, graph.texture("sampled_texels", desc)};
+    const SampledLayers sampled{drawn, graph.texture("sampled_texels", desc), map_width_px,
+                                map_height_px};
     Defines defines{{"LAYERS", "t_" + drawn.map.shader_name()},
-                    {"BLOCK_PX", std::to_string(block_size_px)},
-                    {"BLOCK_STRIDE", std::to_string(stride)}};
+                    {"BLOCK_PX", std::to_string(BlockSample::block_px)},
+                    {"BLOCK_STRIDE", std::to_string(blocks.stride)}};
     Reads reads{&drawn.map};
     if (drawn.moments) {
         defines.emplace_back("MOMENTS", "t_" + drawn.moments->shader_name());

@@ -17,13 +17,16 @@ namespace opacity::techniques {
 constexpr double fine_ratio = 0.45;
 int fine_layer_count(int map_width_px);
 
-// It holds one block of 4 x 4 texels in so many, both ways.
-int block_stride(int map_width_px);
+// The texels that a search looks at.
+BlockSample searched_blocks(int map_width_px);
 
 // Those blocks of drawn layers side by side, so that a search reads back no more than it looks at.
 struct SampledLayers {
     DrawnLayers drawn;
     Texture& texels;  // images of the layers, of their moments, and of the span
+    int map_width_px, map_height_px;
+
+    BlockSample blocks() const { return searched_blocks(map_width_px); }
 };
 SampledLayers add_sampled_texels(FrameGraph& graph, const ShadowInputs& inputs,
                                  const DrawnLayers& drawn);

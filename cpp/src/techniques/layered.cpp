@@ -72,10 +72,16 @@ DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs
     auto& fine_planes = graph.value("fine/planes", std::vector<float>{});
     fine_layers.set(count);
     fine_planes.set(layer_planes(count, split_ratio));
-    const TextureDesc desc = inputs.map(Format::rgba32f, count / planes_per_target);
-    const DrawnLayers drawn{graph.texture("histogram", desc), fine_planes, span};
-    add_passes(graph, inputs, drawn, fine_layers,
-               in_all_texels ? 1 : block_stride(inputs.space.width_px()));
+    const BlockSample blocks =
+        in_all_texels ? BlockSample{} : searched_blocks(inputs.space.width_px());
+    TextureDesc desc = inputs.map(Format::rgba32f, count / planes_per_target);
+    // A rasteriser's pixels stand where its fragments fall; in C++ nothing need stand between.
+    const BlockSample kept = graph.runs_shaders() ? BlockSample{} : blocks;
+    if (kept.stride > 1)
+        desc.width = kept.packed_px(desc.width), desc.height = kept.packed_px(desc.height);
+    DrawnLayers drawn{graph.texture("histogram", desc), fine_planes, span};
+    drawn.kept = kept;
+    add_passes(graph, inputs, drawn, fine_layers, blocks.stride);
     return drawn;
 }
 
@@ -85,8 +91,10 @@ void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const Dr
     drawn.add_to(reads);
     reads = inputs.caster_reads(true, std::move(reads));
     const int targets = drawn.map.desc().layers;
-    const bool in_pairs = drawn.moments && most_targets() > 1;
-    const int most = in_pairs ? most_targets() / 2 : most_targets();
+    // Only hardware has a limit.
+    const int most_at_once = graph.runs_shaders() ? most_targets() : 2 * targets;
+    const bool in_pairs = drawn.moments && most_at_once > 1;
+    const int most = in_pairs ? most_at_once / 2 : most_at_once;
     for (int first = 0; first < targets; first += most) {
         const int count = std::min(most, targets - first);
         const std::string number = first == 0 ? "" : "_" + std::to_string(first / most + 1);

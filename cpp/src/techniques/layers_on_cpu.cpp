@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/opacity.hpp"
+#include "core/parallel.hpp"
 #include "map/depth_bits.hpp"
 #include "map/fragments.hpp"
 #include "map/layer_held.hpp"
@@ -67,10 +68,14 @@ class LayerMap {
     LayerMap(PassContext& context, const DrawnLayers& drawn)
         : LayerMap{context, drawn, true, drawn.moments != nullptr} {}
 
+    // Texels by where they are in an image (DrawnLayers::place_of).
     float& at(std::size_t texel, const Slot& slot) const { return values_[index_of(texel, slot)]; }
     float& plane(std::size_t texel, int k) const { return at(texel, drawn_.slot_of(k)); }
-    // Whether plane k is the first of four in an image.
-    bool begins_image(int k) const { return drawn_.slot_of(k).channel == 0; }
+    // The first plane that is not in the image of plane k.
+    int end_of_image(int k) const {
+        return k + planes_per_target - int(drawn_.slot_of(k).channel) -
+               int(drawn_.is_packed && k < planes_per_target);
+    }
     bool has_planes() const { return !values_.empty(); }
     bool has_moments() const { return !moments_.empty(); }
     // Of optical depth times position in front of plane k > 0.
@@ -113,46 +118,77 @@ class LayerMap {
 // a pass writes.
 class LayerSums {
    public:
-    LayerSums(const LayerPlanes& planes, const LayerMap& map, int first_plane, int last_plane)
-        : planes_{planes}, map_{map}, first_plane_{first_plane}, last_plane_{last_plane} {}
+    LayerSums(const DrawnLayers& drawn, const LayerPlanes& planes, const LayerMap& map,
+              int first_plane, int last_plane)
+        : drawn_{drawn},
+          planes_{planes},
+          map_{map},
+          first_plane_{first_plane},
+          last_plane_{last_plane} {}
 
     void add(const Fragment& fragment) {
-        const std::size_t texel = fragment.texel;
+        const std::size_t texel = fragment.texel, place = drawn_.place_of(fragment.x, fragment.y);
         const float optical_depth = fragment.optical_depth *
                                     planes_.counted_part(texel, fragment.depth, fragment.depth_end);
         const std::span<const float> planes = planes_.of(texel);
         const float begin = planes_.position(texel, fragment.depth);
-        const float end = planes_.position(texel, fragment.depth_end);
-        int k = std::max(layer_of(planes, begin) + 1, first_plane_);
-        float so_far = k > 1 ? counted_at(planes, k - 1, begin, end) : 0.f;
-        float moment = so_far * mean_in_front(planes, k - 1, begin, end);
-        for (; k <= last_plane_ && so_far < 1.f; ++k) {
-            const float part = end > begin ? counted_at(planes, k, begin, end) : 1.f;
-            if (map_.has_planes()) map_.plane(texel, k) += map_.added(optical_depth, part, so_far);
-            so_far = part;
-            if (!map_.has_moments()) continue;
-            const float here = part * mean_in_front(planes, k, begin, end);
-            map_.moment(texel, k) += optical_depth * (here - moment);
-            moment = here;
-        }
+        const int next = layer_of(planes, begin) + 1;
+        const float end = fragment.depth_end > fragment.depth
+                              ? planes_.position(texel, fragment.depth_end)
+                              : begin;
+        if (end > begin)
+            add_interval(place, planes, begin, end, next, optical_depth);
+        else if (next >= first_plane_ && next <= last_plane_)
+            add_point(place, begin, next, optical_depth);
     }
-    void accumulate(std::size_t texel) {
-        double sum = 0.0, moments = 0.0;
-        for (int k = first_plane_; k <= last_plane_; ++k) {
-            const bool begins_image = k > 1 && map_.begins_image(k);
-            if (map_.has_planes()) {
-                if (begins_image) sum = double(map_.plane(texel, k - 1));
-                sum += double(map_.plane(texel, k));
-                map_.plane(texel, k) = map_.kept(float(sum));
+    // In these texels of an image.
+    void accumulate(std::size_t first_texel, std::size_t last_texel) {
+        for (int k = first_plane_; k <= last_plane_; k = map_.end_of_image(k)) {
+            const int end = std::min(map_.end_of_image(k), last_plane_ + 1);
+            for (std::size_t texel = first_texel; texel < last_texel; ++texel) {
+                if (map_.has_planes())
+                    sum_up(
+                        k, end, [&](int plane) -> float& { return map_.plane(texel, plane); },
+                        [&](float sum) { return map_.kept(sum); });
+                if (map_.has_moments())
+                    sum_up(
+                        k, end, [&](int plane) -> float& { return map_.moment(texel, plane); },
+                        [](float sum) { return sum; });
             }
-            if (!map_.has_moments()) continue;
-            if (begins_image) moments = double(map_.moment(texel, k - 1));
-            moments += double(map_.moment(texel, k));
-            map_.moment(texel, k) = float(moments);
         }
     }
 
    private:
+    void add_point(std::size_t place, float position, int plane, float optical_depth) {
+        if (map_.has_planes()) map_.plane(place, plane) += map_.added(optical_depth, 1.f, 0.f);
+        if (map_.has_moments()) map_.moment(place, plane) += optical_depth * position;
+    }
+    void add_interval(std::size_t place, std::span<const float> planes, float begin, float end,
+                      int next, float optical_depth) {
+        int k = std::max(next, first_plane_);
+        float so_far = k > 1 ? part_in_front(begin, end, planes[std::size_t(k) - 1]) : 0.f;
+        float moment = so_far * mean_in_front(planes, k - 1, begin, end);
+        for (; k <= last_plane_ && so_far < 1.f; ++k) {
+            const float part = part_in_front(begin, end, planes[std::size_t(k)]);
+            if (map_.has_planes()) map_.plane(place, k) += map_.added(optical_depth, part, so_far);
+            so_far = part;
+            if (!map_.has_moments()) continue;
+            const float here = part * mean_in_front(planes, k, begin, end);
+            map_.moment(place, k) += optical_depth * (here - moment);
+            moment = here;
+        }
+    }
+    // Planes k to end of one image.
+    template <class At, class Kept>
+    static void sum_up(int k, int end, At at, Kept kept) {
+        double sum = k > 1 ? double(at(k - 1)) : 0.0;
+        for (; k < end; ++k) {
+            sum += double(at(k));
+            at(k) = kept(float(sum));
+        }
+    }
+
+    const DrawnLayers& drawn_;
     const LayerPlanes& planes_;
     const LayerMap& map_;
     int first_plane_, last_plane_;
@@ -262,20 +298,19 @@ OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, const 
             if (target < part.first_target) first_plane = k + 1;
             if (target < part.first_target + part.target_count) last_plane = k;
         }
-        LayerSums layers{planes, map, first_plane, last_plane};
-        const auto is_sampled = [block_stride](int i) { return i / 4 % block_stride == 0; };
-        for_each_fragment(inputs.fragments(context, true), [&](const Fragment& fragment) {
-            if (is_sampled(fragment.x) && is_sampled(fragment.y)) layers.add(fragment);
-        });
-        const std::size_t row_texels = std::size_t(drawn.map.desc().width);
-        parallel_for(std::size_t(drawn.map.desc().height), [&](std::size_t row) {
-            for (std::size_t i = 0; i < row_texels; ++i) {
-                const std::size_t texel = row * row_texels + i;
-                layers.accumulate(texel);
-                if (drawn.is_packed && part.planes && part.first_target == 0)
-                    map.at(texel, {0, 3}) = planes.start(texel);
-            }
-        });
+        LayerSums layers{drawn, planes, map, first_plane, last_plane};
+        FragmentSource source = inputs.fragments(context, true);
+        source.sample = {block_stride};
+        for_each_fragment(source, [&](const Fragment& fragment) { layers.add(fragment); });
+        const bool keeps_start = drawn.is_packed && part.planes && part.first_target == 0;
+        const TextureDesc& desc = drawn.map.desc();
+        parallel_parts(std::size_t(desc.width) * std::size_t(desc.height), std::size_t(desc.width),
+                       [&](std::size_t first_texel, std::size_t last_texel) {
+                           layers.accumulate(first_texel, last_texel);
+                           for (std::size_t texel = first_texel; keeps_start && texel < last_texel;
+                                ++texel)
+                               map.at(texel, {0, 3}) = planes.start(texel);
+                       });
     };
 }
 

@@ -25,6 +25,8 @@ class FrameGraph {
     FrameGraph(const FrameGraph&) = delete;
     FrameGraph& operator=(const FrameGraph&) = delete;
 
+    // Else passes run in C++, and may keep in memory what suits them.
+    bool runs_shaders() const { return device_.runs_shaders(); }
     // Starts the declarations of a frame.
     void begin();
     // Names declared while it lives start with "<name>/".

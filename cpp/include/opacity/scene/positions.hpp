@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "opacity/core/math.hpp"
-#include "opacity/core/shared.hpp"
 
 namespace opacity {
 
@@ -18,23 +18,26 @@ inline constexpr double max_coordinate = 1e18;
 
 class Positions {
    public:
-    using Numbers = std::variant<std::vector<float>, std::vector<double>>;
+    using Numbers = std::variant<std::span<const float>, std::span<const double>>;
     Positions() = default;
     // Three numbers a point: x0 y0 z0 x1 ... Copies share them.
-    explicit Positions(std::vector<float> xyz) : xyz_{Numbers{std::move(xyz)}} {}
-    explicit Positions(std::vector<double> xyz) : xyz_{Numbers{std::move(xyz)}} {}
+    explicit Positions(std::vector<float> xyz) : Positions{kept(std::move(xyz))} {}
+    explicit Positions(std::vector<double> xyz) : Positions{kept(std::move(xyz))} {}
+    // Numbers that stay the caller's, who keeps them as they are while any copy of these lives.
+    static Positions borrowed(const Numbers& xyz) { return Positions{Held{xyz, nullptr}}; }
 
+    // Hands the numbers, all of one type, to what goes through them.
+    template <class Use>
+    decltype(auto) visit(Use&& use) const {
+        return std::visit(use, xyz_);
+    }
     std::size_t size() const {
-        return std::visit([](const auto& v) { return v.size() / 3; }, *xyz_);
+        return visit([](const auto& v) { return v.size() / 3; });
     }
     double3 operator[](std::size_t i) const {
-        return std::visit(
-            [i](const auto& v) {
-                return double3{v[3 * i], v[3 * i + 1], v[3 * i + 2]};
-            },
-            *xyz_);
+        return visit([i](const auto& v) { return double3{v[3 * i], v[3 * i + 1], v[3 * i + 2]}; });
     }
-    const Numbers& xyz() const { return *xyz_; }
+    const Numbers& xyz() const { return xyz_; }
 
     Box bounds() const;
     // The index of the first point with a coordinate that is NaN or beyond max_coordinate, or
@@ -44,7 +47,19 @@ class Positions {
     std::vector<float> relative_to(const double3& origin, std::span<const float> w) const;
 
    private:
-    Shared<Numbers> xyz_;
+    struct Held {
+        Numbers xyz;
+        std::shared_ptr<const void> owner;  // none: the caller
+    };
+    explicit Positions(Held held) : xyz_{held.xyz}, owner_{std::move(held.owner)} {}
+    template <class T>
+    static Held kept(std::vector<T> xyz) {
+        const auto owner = std::make_shared<const std::vector<T>>(std::move(xyz));
+        return {std::span<const T>{*owner}, owner};
+    }
+
+    Numbers xyz_;
+    std::shared_ptr<const void> owner_;
 };
 
 }  // namespace opacity
