@@ -75,6 +75,17 @@ def floats(name: str, value: object, shape: tuple[str | int, ...]) -> Floats:
     return value
 
 
+def to_fill(name: str, value: object, shape: tuple[str | int, ...]) -> Image:
+    """A float32 array in C order that can be written to."""
+    array = floats(name, value, shape)
+    if array.dtype != np.float32 or not array.flags.writeable:
+        kind = "that cannot be written to" if array.dtype == np.float32 else "of float64"
+        raise ParameterError(
+            f"{name} is an array {kind}", f"pass numpy.empty({_shape_text(shape)}, numpy.float32)"
+        )
+    return array  # type: ignore[return-value]
+
+
 def integers(name: str, value: object, shape: tuple[str | int, ...], dtype: npt.DTypeLike) -> Any:
     """An array of any integer dtype, as ``dtype``; an index that does not fit it is an error."""
     wanted = f"a numpy array of integers with shape {_shape_text(shape)}"

@@ -14,7 +14,7 @@ from pyopacity import _arrays, _log, _native
 from pyopacity._arrays import Floats, Vector
 from pyopacity._attributes import HasParameters, add_parameters
 from pyopacity.camera import Camera
-from pyopacity.errors import ContextError, OutOfMemoryError, ParameterError
+from pyopacity.errors import ContextError, OutOfMemoryError
 from pyopacity.pass_report import PassReport, Report, ResourceMemory
 from pyopacity.picture_receivers import PictureReceivers
 from pyopacity.scene import Scene
@@ -100,23 +100,30 @@ class Renderer(HasParameters):
             ContextError: closed, another thread, a forked process, or ``device="cpu"``.
             OutOfMemoryError: the driver cannot hold the maps or the picture.
         """
-        image = self._new_image() if out is None else self._checked(out)
+        width, height = self.size
+        image = (
+            self._new_image() if out is None else _arrays.to_fill("out", out, (height, width, 4))
+        )
         with self._log_after():
             self._engine.render(image)
         return image
 
-    def transmittance(self, where: Floats | Shape, light: int = 0) -> npt.NDArray[np.float32]:
+    def transmittance(
+        self, where: Floats | Shape, light: int = 0, out: npt.NDArray[np.float32] | None = None
+    ) -> npt.NDArray[np.float32]:
         """The part of a light that arrives at points, in [0, 1]; 1 where the scene has no light.
 
         Casters nearer than the technique's ``bias`` toward the light do not count, so that a strand
         does not shadow itself. ``bias="auto"`` is the width of a shape's strands, for points the
         mean width of the scene's, and at least 1e-4 of the casters' radius. At the points of a
         shape, a technique with ``own_correction`` takes out what the map holds of the shape there.
+        Asked the same again, it hands out what was found.
 
         Args:
             where: world positions, (N, 3) float32 or float64; or a shape: its own points, moved by
                 its transform in float64.
             light: index into ``scene.lights``.
+            out: an array of the kind that is returned to fill, instead of a new one.
 
         Returns:
             (N,) float32; (N, 3), red, green and blue, where a shape of the scene has an opacity or
@@ -124,15 +131,22 @@ class Renderer(HasParameters):
 
         Raises:
             ParameterError: another dtype, shape or order; a point that is not finite, named by its
-                index; a light that is not there.
+                index; a light that is not there; an ``out`` that does not fit.
         """
         index = _arrays.whole("light", light)
+        if out is not None:
+            is_rgb = self._scene._handle.is_tinted()
+            out = _arrays.to_fill("out", out, ("N", 3) if is_rgb else ("N",))
+        asked: Floats | _native.Shape
         if isinstance(where, Shape):
-            with self._log_after():
-                return self._engine.transmittance_of(where._handle, index)
-        points = _arrays.floats("points", where, ("N", 3))
+            asked = where._handle
+        else:
+            asked = _arrays.floats("points", where, ("N", 3))
         with self._log_after():
-            return self._engine.transmittance(points, index)
+            if out is None:
+                return self._engine.transmittance(asked, index)
+            self._engine.fill_transmittance(asked, index, out)
+            return out
 
     def image(self, name: str, light: int = 0) -> npt.NDArray[Any]:
         """Another image of what the picture shows, top row first.
@@ -342,17 +356,6 @@ class Renderer(HasParameters):
             raise OutOfMemoryError(
                 f"no memory is left for a picture of {width}x{height}", "choose a smaller size"
             ) from error
-
-    def _checked(self, out: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
-        width, height = self.size
-        array = _arrays.floats("out", out, (height, width, 4))
-        if array.dtype != np.float32 or not array.flags.writeable:
-            kind = "that cannot be written to" if array.dtype == np.float32 else "of float64"
-            raise ParameterError(
-                f"out is an array {kind}",
-                f"pass numpy.empty(({height}, {width}, 4), numpy.float32)",
-            )
-        return out
 
 
 def _camera(camera: object) -> Camera:

@@ -166,6 +166,7 @@ TEST_CASE("without OpenGL the report tells what ran, what was kept, and what nob
     CHECK(renderer.transmittance(points) == first);
     for (const char* pass : {"bounds", "opacity"})
         CHECK(row_of(renderer, technique + pass).status == Status::cached);
+    CHECK(row_of(renderer, "transmittance").status == Status::cached);
 
     scene->shapes()[0]->set_opacity({0.9f});  // the bounds stay
     CHECK(renderer.transmittance(points) != first);
@@ -229,6 +230,27 @@ TEST_CASE("without OpenGL the same question has the same bits for an answer") {
             CHECK(renderer.transmittance(Positions{one})[0] == points[i]);
         }
     }
+}
+
+TEST_CASE("T goes into the caller's memory, which must be as long") {
+    const auto scene = hairy_scene();
+    Renderer renderer = cpu_renderer(scene);
+    const Shape& hair = *scene->shapes()[0];
+    std::vector<float> at_points(some_points().size()), at_shape(hair.points().size());
+    renderer.transmittance(some_points(), 0, at_points);
+    CHECK(at_points == renderer.transmittance(some_points()));
+    renderer.transmittance(hair, 0, at_shape);
+    CHECK(at_shape == cpu_renderer(scene).transmittance(hair));
+    at_points.pop_back();
+    CHECK_THROWS_WITH_AS(renderer.transmittance(some_points(), 0, at_points),
+                         doctest::Contains("59"), ParameterError);
+}
+
+TEST_CASE("receivers outside the map are told, and have T = 1") {
+    Renderer renderer = cpu_renderer(hairy_scene());
+    const Positions far{std::vector<double>{1e4, 0, 0, -1e4, 0, 0, 0, 1e4, 0}};
+    for (const float t : renderer.transmittance(far)) CHECK(t == 1.f);
+    CHECK(contains(row_of(renderer, "transmittance").note, "3 of 3 receivers outside the map"));
 }
 
 TEST_CASE("an interrupted answer is completed the next time") {

@@ -15,8 +15,11 @@
 #include "map/filter.hpp"
 #include "map/fragments.hpp"
 #include "map/own_deposit.hpp"
+#include "map/planes.hpp"
 #include "opacity/scene/mesh.hpp"
+#include "opacity/scene/scene.hpp"
 #include "opacity/scene/strands.hpp"
+#include "scene/light_fit.hpp"
 
 using namespace opacity;
 using doctest::Approx;
@@ -86,25 +89,37 @@ std::vector<ShapePtr> tangle() {
             mesh(corners, triangles)};
 }
 
+// Of a light in the middle of the shapes.
+LightSpace space_of_point_among(const std::vector<ShapePtr>& shapes) {
+    Scene scene;
+    for (const ShapePtr& shape : shapes) scene.add(shape);
+    return LightFit{}.fit(scene, PointLight{{0.1, 0.2, 0.3}}, [](double) { return size_px; }, {});
+}
+
 using Texels = std::vector<std::vector<Fragment>>;  // each in the order of arrival
 
 Texels fragments_of(const FragmentSource& source) {
-    Texels texels(std::size_t(size_px) * size_px);
+    Texels texels(std::size_t(source.space.width_px()) * source.space.height_px());
     for_each_fragment(source, [&](const Fragment& f) { texels[f.texel].push_back(f); });
     return texels;
 }
 
 // The same of every primitive in one band of rows, on one thread.
 Texels in_one_band(const FragmentSource& source) {
-    Texels texels(std::size_t(size_px) * size_px);
+    const LightSpace& space = source.space;
+    Texels texels(std::size_t(space.width_px()) * space.height_px());
     const auto add = [&](const Fragment& f) { texels[f.texel].push_back(f); };
-    FragmentSink sink{source, source.space.corner_px(0), add};
-    const Rows all{0, size_px};
-    for (const ShapePtr& shape : source.shapes) {
-        const LightCaster& caster = source.casters.caster(shape, source.space);
-        std::vector<std::uint32_t> every(primitive_count(caster));
-        std::iota(every.begin(), every.end(), 0u);
-        caster_fragments(caster, every, source, nullptr, all, sink);
+    const MapFaces faces{space};
+    for (int face = 0; face < space.face_count(); ++face) {
+        const FragmentSource through = source.through(space, face);
+        FragmentSink sink{through, space.corner_px(face), add};
+        for (const ShapePtr& shape : source.shapes) {
+            const LightCaster& caster = source.casters.caster(shape, space);
+            std::vector<std::uint32_t> every(primitive_count(caster));
+            std::iota(every.begin(), every.end(), 0u);
+            caster_fragments(caster, every, through, space.is_parallel() ? nullptr : &faces[face],
+                             {0, space.map_size_px}, sink);
+        }
     }
     return texels;
 }
@@ -164,11 +179,13 @@ TEST_CASE("at any opacity a wide strand lets 1 - opacity through, a thin one its
 }
 
 TEST_CASE("bands of rows share nothing: each texel has the fragments of one loop, in its order") {
-    const LightSpace space = plain_space();
     const std::vector<ShapePtr> shapes = tangle();
-    std::vector<float> opaque(std::size_t(size_px) * size_px, 1.f);
-    for (std::size_t i = 0; i < opaque.size(); i += 3) opaque[i] = 0.4f;
-    for (const bool paper : {false, true}) {
+    const LightSpace plain = plain_space(), six_faces = space_of_point_among(shapes);
+    REQUIRE(six_faces.face_count() == 6);
+    for (const auto& [space, paper] :
+         {std::pair{plain, false}, {plain, true}, {six_faces, false}}) {
+        std::vector<float> opaque(std::size_t(space.width_px()) * space.height_px(), 1.f);
+        for (std::size_t i = 0; i < opaque.size(); i += 3) opaque[i] = 0.4f;
         LightCasters casters;
         const FragmentSource source{casters, shapes, space, opaque, paper};
         const Texels bands = fragments_of(source), once = in_one_band(source);
@@ -179,13 +196,55 @@ TEST_CASE("bands of rows share nothing: each texel has the fragments of one loop
                 const Fragment &a = bands[texel][i], &b = once[texel][i];
                 REQUIRE(std::tie(a.x, a.y, a.texel, a.depth, a.optical_depth) ==
                         std::tie(b.x, b.y, b.texel, b.depth, b.optical_depth));
-                REQUIRE(a.texel == std::size_t(a.y) * size_px + a.x);
+                REQUIRE(a.texel == std::size_t(a.y) * space.width_px() + a.x);
                 REQUIRE((a.depth >= 0.f && a.depth <= opaque[texel]));
             }
             count += once[texel].size();
         }
         CHECK(count > 5000);
     }
+}
+
+TEST_CASE("a packed sample has each texel of its blocks once, in the order of the map") {
+    for (const int stride : {1, 2, 7}) {
+        const BlockSample sample{stride};
+        int next = 0;
+        for (int i = 0; i < 100; ++i) {
+            if (!sample.holds(i)) continue;
+            CHECK(sample.packed(i) == next);
+            CHECK(sample.unpacked(next) == i);
+            ++next;
+        }
+        CHECK(next <= sample.packed_px(100));
+        CHECK(sample.packed_px(100) < next + BlockSample::block_px);
+    }
+}
+
+TEST_CASE("of a sample's texels fragments are those of all, and no others arrive") {
+    const LightSpace space = plain_space();
+    const std::vector<ShapePtr> shapes = tangle();
+    LightCasters casters;
+    FragmentSource source{casters, shapes, space, {}};
+    const Texels all = fragments_of(source);
+    source.sample = {3};
+    const Texels some = fragments_of(source);
+    for (std::size_t texel = 0; texel < all.size(); ++texel) {
+        const bool held = source.sample.holds(int(texel % size_px), int(texel / size_px));
+        CHECK(optical_depth_sum(some[texel]) == (held ? optical_depth_sum(all[texel]) : 0.0));
+    }
+}
+
+TEST_CASE("a layer is the last whose plane is not behind, also among equal planes") {
+    const std::vector<float> planes{0.f, 0.25f, 0.25f, 0.5f, 0.5f, 0.75f, 1.f};
+    for (const float x : {0.f, 0.1f, 0.25f, 0.3f, 0.5f, 0.6f, 0.75f, 0.9f, 1.f}) {
+        int last = 0;
+        for (int k = 1; k + 1 < int(planes.size()); ++k)
+            if (planes[std::size_t(k)] <= x) last = k;
+        CHECK(layer_of(planes, x) == last);
+        for (int k = 0; k < int(planes.size()); ++k)
+            CHECK(counted_at(planes, k, x, x) == (k > last ? 1.f : 0.f));
+    }
+    CHECK(layer_of(std::vector<float>{0.f, 1.f}, 0.7f) == 0);
 }
 
 // The middle of the fan lies anywhere, some corners on the middles and edges of texels.

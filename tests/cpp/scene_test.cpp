@@ -57,6 +57,15 @@ TEST_CASE("positions keep their type, and float64 survives an offset that float3
     CHECK(points.bounds() == Box{{1e7 + 0.125, 0, 0}, {1e7 + 0.25, 0, 0}});
 }
 
+TEST_CASE("borrowed positions are the caller's numbers, and not a copy") {
+    std::vector<float> xyz{1, 2, 3, 4, 5, 6};
+    const Positions points = Positions::borrowed(std::span<const float>{xyz});
+    CHECK(points.size() == 2);
+    CHECK(points.bounds() == Box{{1, 2, 3}, {4, 5, 6}});
+    xyz[3] = 7;
+    CHECK(points[1] == double3{7, 5, 6});
+}
+
 TEST_CASE("segments join the points of one strand only") {
     const Strands strands{Positions{strand_points()}, {0, 3, 3, 4, 6}};
     CHECK(strands.strand_count() == 4);

@@ -166,7 +166,7 @@ def test_needs_no_opengl(python: Callable[..., Any], tmp_path: pathlib.Path) -> 
     assert shape == [count] and 0.0 <= low < 0.5 < high == 1.0
     assert same
     status = dict(report)
-    assert status.pop("transmittance") == "ran"
+    assert status["transmittance"] == "cached"
     for_pictures = ("lighting", "receivers", "first_surface")
     assert {status.pop(name) for name in for_pictures} == {"culled"}
     assert set(status.values()) == {"cached"} and "bounding_opacity_maps/opacity" in status
@@ -184,15 +184,72 @@ def test_runs_what_has_moved_and_no_more() -> None:
 
         everything = ran()
         assert {"bounds", "split_search", "opacity"} < everything
-        assert ran() == {"transmittance"}
+        assert ran() == set()
         scene.shapes[0].color = (1.0, 0.0, 0.0)
-        assert ran() == {"transmittance"}
+        assert ran() == set()
         scene.shapes[0].opacity = 0.2
         changed = ran()
         assert "opacity" in changed and "bounds" not in changed
         kept = renderer.transmittance(scene.shapes[0])
         renderer.invalidate()
         assert (renderer.transmittance(scene.shapes[0]) == kept).all()  # skipped equals forced
+
+
+def test_points_that_changed_in_place_are_asked_anew() -> None:
+    scene = tufts()
+    points = np.random.default_rng(7).uniform(-9, 9, (300, 3))
+    with po.Renderer(scene, device="cpu", map_size=64) as renderer:
+        renderer.transmittance(points)
+        points[17] += 1.0
+        moved = renderer.transmittance(points)
+        assert statuses(renderer)["transmittance"] == "ran"
+        renderer.transmittance(points.copy())
+        assert statuses(renderer)["transmittance"] == "cached"
+    assert (moved == po.transmittance(scene, points, map_size=64)).all()
+
+
+def test_a_shape_is_asked_anew_where_its_answer_may_differ() -> None:
+    scene = tufts()
+    thick, thin = scene.shapes
+    changes: list[Callable[[], Any]] = [
+        lambda: setattr(thick, "opacity", 0.4),
+        lambda: setattr(thick, "width", 0.3),
+        lambda: setattr(thick, "points", thick.points * 0.9),
+        lambda: setattr(thick, "transform", np.diag([1.0, 1.0, 1.1, 1.0])),
+        lambda: setattr(scene.lights[0], "direction", (0.2, 0.1, -1.0)),
+        lambda: setattr(thin, "casts", False),
+        lambda: scene.remove(thick),
+    ]
+    with po.Renderer(scene, device="cpu", map_size=64) as renderer:
+        renderer.transmittance(thick)
+        for change in changes:
+            change()
+            found = renderer.transmittance(thick)
+            assert statuses(renderer)["transmittance"] == "ran"
+            assert (renderer.transmittance(thick) == found).all()
+            assert statuses(renderer)["transmittance"] == "cached"
+            renderer.invalidate()
+            assert (renderer.transmittance(thick) == found).all()
+
+
+def statuses(renderer: po.Renderer) -> dict[str, str]:
+    return {row.name: row.status for row in renderer.report}
+
+
+def test_transmittance_fills_an_array_that_is_there() -> None:
+    scene = tufts()
+    points = np.random.default_rng(8).uniform(-9, 9, (40, 3)).astype(np.float32)
+    with po.Renderer(scene, device="cpu", map_size=64) as renderer:
+        for where, count in ((points, 40), (scene.shapes[1], len(scene.shapes[1].points))):
+            out = np.full(count, -1.0, np.float32)
+            assert renderer.transmittance(where, out=out) is out
+            assert (out == renderer.transmittance(where)).all()
+        read_only = np.empty(40, np.float32)
+        read_only.flags.writeable = False
+        bad = (np.empty(39, np.float32), np.empty(40), np.empty((40, 3), np.float32), read_only)
+        for wrong in (*bad, np.empty(80, np.float32)[::2], [0.0] * 40):
+            with pytest.raises(po.ParameterError):
+                renderer.transmittance(points, out=wrong)  # type: ignore[arg-type]
 
 
 def test_threads_take_turns() -> None:

@@ -70,6 +70,9 @@ class Renderer {
     std::vector<float> transmittance(const Positions& world_points, int light = 0);
     // At a shape's own points; the automatic bias is then that of its own strands.
     std::vector<float> transmittance(const Shape& shape, int light = 0);
+    // The same into the caller's memory, of channels() floats a point.
+    void transmittance(const Positions& world_points, int light, std::span<float> out);
+    void transmittance(const Shape& shape, int light, std::span<float> out);
 
     // Width * height floats, top row first; "transmittance" has all channels. "coverage": how much
     // of a pixel the shapes cover, the picture's alpha without its background. Of the first strand

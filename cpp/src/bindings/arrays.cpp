@@ -1,6 +1,7 @@
 #include "bindings/arrays.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "opacity/core/error.hpp"
 
@@ -20,6 +21,12 @@ auto as_floating(const py::array& array, Use use) {
 
 Positions to_positions(const py::array& xyz) {
     return as_floating(xyz, [](const auto& array) { return Positions{to_vector(array)}; });
+}
+
+Positions borrowed_positions(const py::array& xyz) {
+    return as_floating(xyz, [](const auto& array) {
+        return Positions::borrowed(std::span{array.data(), static_cast<std::size_t>(array.size())});
+    });
 }
 
 std::vector<float> to_floats(const py::array& values) {

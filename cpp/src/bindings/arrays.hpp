@@ -19,6 +19,8 @@ using Array = py::array_t<T, py::array::c_style>;
 
 // Points as they come: float32 or float64, (N, 3).
 Positions to_positions(const py::array& xyz);
+// The same numbers, of an array that stays as it is meanwhile.
+Positions borrowed_positions(const py::array& xyz);
 // float32 or float64; the engine keeps float32.
 std::vector<float> to_floats(const py::array& values);
 std::vector<float3> to_float3s(const py::array& values);

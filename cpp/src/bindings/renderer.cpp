@@ -51,12 +51,21 @@ py::array ask(Renderer& self, const Where& where, int light) {
     return with_channels(std::move(result), is_tinted);
 }
 
-py::array transmittance(Renderer& self, const py::array& xyz, int light) {
-    return ask(self, to_positions(xyz), light);
+template <class Where>
+void fill(Renderer& self, const Where& where, int light, Array<float>& out) {
+    const std::span<float> values{out.mutable_data(), static_cast<std::size_t>(out.size())};
+    {
+        const py::gil_scoped_release release;
+        self.transmittance(where, light, values);
+    }
+    check_signals();
 }
 
-py::array transmittance_of(Renderer& self, const Shape& shape, int light) {
-    return ask(self, shape, light);
+py::array transmittance(Renderer& self, const py::array& xyz, int light) {
+    return ask(self, borrowed_positions(xyz), light);
+}
+void fill_transmittance(Renderer& self, const py::array& xyz, int light, Array<float>& out) {
+    fill(self, borrowed_positions(xyz), light, out);
 }
 
 py::array image(Renderer& self, const std::string& name, int light) {
@@ -125,7 +134,11 @@ void bind_renderer(py::module_& module) {
         .def("set_background", &Renderer::set_background)
         .def("render", &render, py::arg("out").noconvert())
         .def("transmittance", &transmittance)
-        .def("transmittance_of", &transmittance_of)
+        .def("transmittance", &ask<Shape>)
+        .def("fill_transmittance", &fill_transmittance, py::arg("where"), py::arg("light"),
+             py::arg("out").noconvert())
+        .def("fill_transmittance", &fill<Shape>, py::arg("where"), py::arg("light"),
+             py::arg("out").noconvert())
         .def("image", &image)
         .def("receivers", &receivers)
         .def("light_from_world",
@@ -134,7 +147,7 @@ void bind_renderer(py::module_& module) {
              })
         .def("texel_sides",
              [](const Renderer& self, const py::array& xyz, int light) {
-                 return take(self.texel_sides(to_positions(xyz), light));
+                 return take(self.texel_sides(borrowed_positions(xyz), light));
              })
         .def("report", &report)
         .def("memory", &memory)

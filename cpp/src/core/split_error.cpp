@@ -4,8 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/parallel.hpp"
-
 namespace opacity {
 namespace {
 
@@ -101,18 +99,18 @@ FineReceivers::FineReceivers(const FineProfiles& fine) {
 }
 
 double FineReceivers::error(const OpticalDepthProfiles& layers, const LayerLookUp& rule) const {
-    std::vector<double> squares(layers.texel_count(), 0.0);
-    parallel_for(squares.size(), [&](std::size_t t) {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < layers.texel_count(); ++t) {
         const LookUp look_up{layers, rule, layers.texel(t), layers.texel_moments(t)};
+        double of_texel = 0.0;
         for (std::size_t i = first_[t]; i < first_[t + 1]; ++i) {
             const Receiver& receiver = receivers_[i];
             const Own own{receiver.own, receiver.begin, receiver.end};
             const double error = look_up.transmittance(receiver.x, own) - receiver.transmittance;
-            squares[t] += receiver.weight * error * error;
+            of_texel += receiver.weight * error * error;
         }
-    });
-    double sum = 0.0;
-    for (const double of_texel : squares) sum += of_texel;
+        sum += of_texel;
+    }
     return weights_ > 0.0 ? std::sqrt(sum / weights_) : 0.0;
 }
 

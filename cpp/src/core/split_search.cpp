@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/parallel.hpp"
 #include "opacity/core/correlation.hpp"
 #include "opacity/core/split_error.hpp"
 
@@ -110,17 +111,17 @@ std::size_t best_trial(std::span<const double> scores, Similarity similarity) {
 std::size_t find_split_trial(const FineProfiles& fine, int layers, const SplitMeasure& measure) {
     std::optional<FineReceivers> receivers;
     if (measure.similarity == Similarity::error) receivers.emplace(fine);
-    std::vector<double> scores;
-    for (std::size_t trial = 0; trial < split_trials; ++trial) {
+    std::vector<double> scores(split_trials);
+    parallel_for(split_trials, [&](std::size_t trial) {
         const std::vector<float> planes =
             layer_planes(layers, trial_ratio(trial), measure.paper_lut);
         const std::vector<float> values = fine.rebinned(planes);
         const std::vector<float> moments =
             receivers && measure.has_moments ? fine.rebinned_moments(planes) : std::vector<float>{};
         const OpticalDepthProfiles rebinned{.planes = planes, .values = values, .moments = moments};
-        scores.push_back(receivers ? receivers->error(rebinned, measure.look_up)
-                                   : split_score(measure, rebinned, fine));
-    }
+        scores[trial] = receivers ? receivers->error(rebinned, measure.look_up)
+                                  : split_score(measure, rebinned, fine);
+    });
     return best_trial(scores, measure.similarity);
 }
 

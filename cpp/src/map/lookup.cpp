@@ -20,7 +20,19 @@ float depth_at(const SeenReceiver& receiver, int x, int y, float depth) {
                                 offset(y, 1), receiver.largest_margin);
 }
 
+// Whether a filter there may meet a caster. Also false for a coordinate that is not finite: T = 1,
+// never NaN.
+bool is_met(const float3& place, int map_size_px) {
+    const float reach = largest_filter_radius + 1.f, far = float(map_size_px) + reach;
+    const auto is_near = [&](float v) { return v > -reach && v < far; };
+    return place[2] > 0.f && is_near(place[0]) && is_near(place[1]);
+}
+
 }  // namespace
+
+bool is_outside_map(const Receiver& receiver, const LightSpace& space) {
+    return space.is_parallel() && !is_met(receiver.p_ls, space.map_size_px);
+}
 
 // Sums over the taps of a look-up. Weights are divided by their sum, so that T = 1 stays 1 exactly.
 struct MapLookUp::Taps {
@@ -32,8 +44,8 @@ struct MapLookUp::Taps {
 
 // A map of up to three texels has no border: its outer texels stand for what lies beside them.
 // Elsewhere nothing casts outside.
-void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, float depth,
-                        float weight) const {
+void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, const OwnCaster& own, int x,
+                        int y, float depth, float weight) const {
     const int size_px = space_.map_size_px;
     if (size_px < 4) x = std::clamp(x, 0, size_px - 1), y = std::clamp(y, 0, size_px - 1);
     taps.weight += weight;
@@ -45,8 +57,7 @@ void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, 
                                   (receiver.corner_px[0] + x);
         const auto& opaque = is_bare(receiver) ? opaque_depth_.moved : opaque_depth_.first;
         if (opaque[texel] < std::min(depth, 1.f)) return;
-        const OwnDeposit own = own_deposit(receiver, x, y, space_.depth_range);
-        optical_depth = std::max(0.f, map_.optical_depth(texel, depth, own));
+        optical_depth = std::max(0.f, map_.optical_depth(texel, depth, own.at(x, y)));
     }
     taps.lit += weight;
     taps.transmittance += weight * std::exp(-optical_depth);
@@ -55,10 +66,11 @@ void MapLookUp::add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, 
 
 MapLookUp::Taps MapLookUp::filtered_taps(const SeenReceiver& receiver, float depth) const {
     Taps taps;
+    const OwnCaster own{receiver, space_.depth_range};
     const float px = receiver.p_ls[0], py = receiver.p_ls[1];
     const auto at = [](float v) { return int(std::floor(v)); };
     if (filter_.kernel == FilterKernel::none) {
-        add_tap(taps, receiver, at(px), at(py), depth, 1.f);
+        add_tap(taps, receiver, own, at(px), at(py), depth, 1.f);
         return taps;
     }
     const float radius = radius_texels(receiver);
@@ -66,7 +78,7 @@ MapLookUp::Taps MapLookUp::filtered_taps(const SeenReceiver& receiver, float dep
         for (int i = 0; i < 16; ++i) {
             const float x = px + (float(i % 4) - 1.5f) * (0.5f * radius);
             const float y = py + (float(i / 4) - 1.5f) * (0.5f * radius);
-            add_tap(taps, receiver, at(x), at(y), depth, 1.f / 16.f);
+            add_tap(taps, receiver, own, at(x), at(y), depth, 1.f / 16.f);
         }
         return taps;
     }
@@ -74,7 +86,7 @@ MapLookUp::Taps MapLookUp::filtered_taps(const SeenReceiver& receiver, float dep
         const float weight_y = filter_weight(filter_.kernel, float(y) - py, radius);
         for (int x = at(px - radius); x < std::ceil(px + radius); ++x) {
             const float weight_x = filter_weight(filter_.kernel, float(x) - px, radius);
-            add_tap(taps, receiver, x, y, depth, weight_y * weight_x);
+            add_tap(taps, receiver, own, x, y, depth, weight_y * weight_x);
         }
     }
     return taps;
@@ -160,10 +172,7 @@ DepthRange MapLookUp::depths(const Receiver& receiver, float width) const {
 // Through one face of the map.
 float MapLookUp::face_transmittance(const SeenReceiver& receiver, float width) const {
     const float depth = look_up_depth(receiver, width);
-    const float reach = largest_filter_radius + 1.f, far = float(space_.map_size_px) + reach;
-    const auto is_near = [&](float v) { return v > -reach && v < far; };
-    // Also false for a coordinate that is not finite: T = 1, never NaN.
-    if (!(depth > 0.f && is_near(receiver.p_ls[0]) && is_near(receiver.p_ls[1])))
+    if (!is_met({receiver.p_ls[0], receiver.p_ls[1], depth}, space_.map_size_px))
         return float(slab_.counts_at(depth));
     const Taps taps = filtered_taps(receiver, depth);
     if (!filter_.density) return taps.transmittance / taps.weight;

@@ -45,6 +45,10 @@ struct DepthRange {
     float first, last;
 };
 
+// Of a directional light: so far beside its map, or in front of all casters, that T is 1 there
+// without a look-up, whatever the filter. Of others that shows only face by face.
+bool is_outside_map(const Receiver& receiver, const LightSpace& space);
+
 class MapLookUp {
    public:
     // `bias` in world units; negative: automatic.
@@ -72,8 +76,8 @@ class MapLookUp {
     bool is_held(const SeenReceiver& receiver) const;
     SeenReceiver seen_by_directional(const Receiver& receiver) const;
     float face_transmittance(const SeenReceiver& receiver, float width) const;
-    void add_tap(Taps& taps, const SeenReceiver& receiver, int x, int y, float depth,
-                 float weight) const;
+    void add_tap(Taps& taps, const SeenReceiver& receiver, const OwnCaster& own, int x, int y,
+                 float depth, float weight) const;
     Taps filtered_taps(const SeenReceiver& receiver, float depth) const;
 
     const LightSpace& space_;

@@ -1,27 +1,11 @@
 #include "map/own_deposit.hpp"
 
 #include "core/opacity.hpp"
-#include "map/ribbon.hpp"
 #include "map/sphere.hpp"
 #include "map/surface.hpp"
 
 namespace opacity {
 namespace {
-
-OwnDeposit own_strand_deposit(const Receiver& receiver, float x, float y) {
-    const auto reach = [&](float end) {
-        float3 p;
-        for (int axis = 0; axis < 3; ++axis)
-            p[axis] = receiver.p_ls[axis] + end * receiver.direction[axis];
-        return p;
-    };
-    const MajorSegment strand{reach(receiver.ends[0]), reach(receiver.ends[1])};
-    const auto coverage = ribbon_coverage(strand, receiver.width_texels, receiver.width_texels,
-                                          strand.steep ? y : x, strand.steep ? x : y);
-    if (!coverage) return {};
-    const float place = std::max(coverage->depth, 0.f);
-    return {place, place, coverage->along * optical_depth_of(receiver.opacity * coverage->across)};
-}
 
 // Where the surface turns away from the light nothing is known of its neighbourhood.
 OwnDeposit own_surface_deposit(const SeenReceiver& receiver, float x, float y) {
@@ -47,13 +31,32 @@ OwnDeposit own_particle_deposit(const SeenReceiver& receiver, const float2& texe
 
 }  // namespace
 
-OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y, double depth_range) {
-    if (!(receiver.opacity > 0.f)) return {};
+OwnCaster::OwnCaster(const SeenReceiver& receiver, double depth_range)
+    : receiver_{receiver}, depth_range_{float(depth_range)} {
+    if (!(receiver.opacity > 0.f && receiver.width_texels > 0.f) || is_at_particle(receiver))
+        return;
+    const auto reach = [&](float end) {
+        return plus(receiver.p_ls, scaled(receiver.direction, end));
+    };
+    strand_.emplace(reach(receiver.ends[0]), reach(receiver.ends[1]));
+}
+
+OwnDeposit OwnCaster::strand_at(float x, float y) const {
+    const float width = receiver_.width_texels;
+    const auto coverage =
+        ribbon_coverage(*strand_, width, width, strand_->steep ? y : x, strand_->steep ? x : y);
+    if (!coverage) return {};
+    const float place = std::max(coverage->depth, 0.f);
+    return {place, place, coverage->along * optical_depth_of(receiver_.opacity * coverage->across)};
+}
+
+OwnDeposit OwnCaster::at(int x, int y) const {
+    if (!(receiver_.opacity > 0.f)) return {};
     const float middle_x = float(x) + 0.5f, middle_y = float(y) + 0.5f;
-    if (is_at_particle(receiver))
-        return own_particle_deposit(receiver, {middle_x, middle_y}, float(depth_range));
-    return receiver.width_texels > 0.f ? own_strand_deposit(receiver, middle_x, middle_y)
-                                       : own_surface_deposit(receiver, middle_x, middle_y);
+    if (strand_) return strand_at(middle_x, middle_y);
+    return is_at_particle(receiver_)
+               ? own_particle_deposit(receiver_, {middle_x, middle_y}, depth_range_)
+               : own_surface_deposit(receiver_, middle_x, middle_y);
 }
 
 }  // namespace opacity

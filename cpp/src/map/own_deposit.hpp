@@ -2,7 +2,10 @@
 // a look-up inside counts a part of it. GLSL: lib/receiver.glsl.
 #pragma once
 
+#include <optional>
+
 #include "map/receiver.hpp"
+#include "map/ribbon.hpp"
 
 namespace opacity {
 
@@ -16,7 +19,23 @@ inline float own_in_front(const OwnDeposit& own, float depth) {
     return own.depth_end > own.depth || own.depth >= depth ? 0.f : own.optical_depth;
 }
 
-// Of the texel (x, y) of the receiver's face.
-OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y, double depth_range);
+// What is found once for all texels about a receiver, which outlives it.
+class OwnCaster {
+   public:
+    OwnCaster(const SeenReceiver& receiver, double depth_range);
+    // Of the texel (x, y) of the receiver's face.
+    OwnDeposit at(int x, int y) const;
+
+   private:
+    OwnDeposit strand_at(float x, float y) const;
+
+    const SeenReceiver& receiver_;
+    float depth_range_;
+    std::optional<MajorSegment> strand_;  // as far as any filter reaches
+};
+
+inline OwnDeposit own_deposit(const SeenReceiver& receiver, int x, int y, double depth_range) {
+    return OwnCaster{receiver, depth_range}.at(x, y);
+}
 
 }  // namespace opacity

@@ -1,9 +1,11 @@
 #include "map/receiver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "map/surface.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/strands.hpp"
@@ -13,6 +15,8 @@
 
 namespace opacity {
 namespace {
+
+constexpr std::size_t points_at_once = 1 << 14;
 
 float3 to_float(const double3& v) {
     return {float(v[0]), float(v[1]), float(v[2])};
@@ -193,14 +197,31 @@ Query Query::at(Positions world_points, const Scene& scene) {
     check_receivers(world_points);
     Query query;
     query.world_points = std::move(world_points);
+    query.bounds = query.world_points.bounds();
     query.strand_width = mean_strand_width(scene.shapes());
     return query;
 }
 
 Query Query::at(const Shape& shape, const Scene& scene) {
     Query query{receivers_on(shape)};
+    query.bounds = query.world_points.bounds();
+    query.placed = next_revision();
     query.stand_on(shape, scene);
     return query;
+}
+
+const Query& ShapeQuery::at(const Shape& shape, const Scene& scene) {
+    const Shape::Revisions now = [&] {
+        const auto lock = shape.lock();
+        return shape.revisions();
+    }();
+    if (now.geometry == geometry_ && now.transform == transform_) {
+        query_.stand_on(shape, scene);
+    } else {
+        query_ = Query::at(shape, scene);
+        geometry_ = now.geometry, transform_ = now.transform;
+    }
+    return query_;
 }
 
 void Query::stand_on(const Shape& shape, const Scene& scene) {
@@ -212,15 +233,38 @@ void Query::stand_on(const Shape& shape, const Scene& scene) {
         std::any_of(shapes.begin(), shapes.end(), [&](const auto& s) { return s.get() == &shape; });
 }
 
+bool replace_receivers(std::vector<Receiver>& list, const LightSpace& space,
+                       const Positions& world_points) {
+    std::atomic<bool> is_other = list.size() != world_points.size();
+    list.resize(world_points.size());
+    parallel_parts(list.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+        bool differs = false;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Receiver now{.p_ls =
+                                   to_float(transform_point(space.from_world, world_points[i]))};
+            differs |= now != list[i];
+            list[i] = now;
+        }
+        if (differs) is_other = true;
+    });
+    return is_other;
+}
+
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
                                    bool own_correction) {
-    std::vector<Receiver> list(query.world_points.size());
-    std::vector<double3> p_ls(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        p_ls[i] = transform_point(space.from_world, query.world_points[i]);
-        list[i].p_ls = to_float(p_ls[i]);
+    std::vector<Receiver> list;
+    if (!query.own) {
+        replace_receivers(list, space, query.world_points);
+        return list;
     }
-    if (!query.own) return list;
+    list.resize(query.world_points.size());
+    std::vector<double3> p_ls(list.size());
+    parallel_parts(list.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            p_ls[i] = transform_point(space.from_world, query.world_points[i]);
+            list[i].p_ls = to_float(p_ls[i]);
+        }
+    });
     const auto lock = query.own->lock();
     const bool corrects = own_correction && query.is_in_maps;
     const auto* strands = dynamic_cast<const Strands*>(query.own);

@@ -29,6 +29,8 @@ struct Receiver {
     float ends[2] = {0.f, 0.f};  // how far its strand reaches both ways, in directions
     float lies_on = on_nothing;  // above: what of its own shape can shadow it
     float own_reach = 0.f;       // world units toward the light: half of its own voxel
+
+    bool operator==(const Receiver&) const = default;
 };
 static_assert(sizeof(Receiver) == 12 * sizeof(float));  // a multiple of four, as std430 has it
 
@@ -57,6 +59,8 @@ SeenReceiver seen_through(const MapFace& face, const Receiver& receiver, const L
 
 // Where T is asked for; the width of strands there is for the automatic bias.
 struct Query : Receivers {
+    Box bounds;                  // of the points
+    Revision placed = 0;         // moves when these do; 0: only they themselves tell
     const Shape* own = nullptr;  // the points are this shape's
     bool is_in_maps = false;     // which lies in the opacity maps
 
@@ -75,5 +79,18 @@ inline constexpr float endless_segments = 1e6f;
 // counts at its own centre.
 std::vector<Receiver> receivers_in(const LightSpace& space, const Query& query,
                                    bool own_correction);
+// Of points that lie on nothing, in the place of what was asked last. Whether any of it is another.
+bool replace_receivers(std::vector<Receiver>& list, const LightSpace& space,
+                       const Positions& world_points);
+
+// Finds the world points of a shape, and keeps those of the last one while it does not move.
+class ShapeQuery {
+   public:
+    const Query& at(const Shape& shape, const Scene& scene);
+
+   private:
+    Revision geometry_ = 0, transform_ = 0;
+    Query query_;
+};
 
 }  // namespace opacity

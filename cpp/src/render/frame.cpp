@@ -69,9 +69,9 @@ PictureReceivers Frame::receivers(const FrameInputs& inputs) {
     return channels_[0]->read_receivers(device_);
 }
 
-std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Query& query,
-                                        std::size_t light) {
-    declare(inputs, query.world_points.bounds(), light);
+void Frame::transmittance(const FrameInputs& inputs, const Query& query, std::size_t light,
+                          std::span<float> out) {
+    declare(inputs, query.bounds, light);
     for (std::size_t c = 0; c < channels_.size(); ++c) {
         Query here = query;
         if (query.own) here.stand_on(scenes_.shape(*query.own, c), scenes_[c]);
@@ -80,9 +80,11 @@ std::vector<float> Frame::transmittance(const FrameInputs& inputs, const Query& 
     graph_.run(goals([&](FrameChannel& channel) -> const Resource& {
         return channel.light(light).transmittance_goal();
     }));
-    std::vector<std::vector<float>> answers;
-    for (const auto& channel : channels_) answers.push_back(channel->light(light).answers());
-    return side_by_side(std::move(answers));
+    const std::size_t count = channels_.size();
+    for (std::size_t c = 0; c < count; ++c) {
+        const std::vector<float>& answers = channels_[c]->light(light).answers();
+        for (std::size_t i = 0; i < answers.size(); ++i) out[i * count + c] = answers[i];
+    }
 }
 
 const LightMaps* Frame::find_light(std::size_t index) const {

@@ -19,8 +19,8 @@ class Frame {
     void render(const FrameInputs& inputs, std::span<float> rgba);
     // Of the scene's light of that index; of none, if it has none. Of a tinted scene three values a
     // point: red, green, blue.
-    std::vector<float> transmittance(const FrameInputs& inputs, const Query& query,
-                                     std::size_t light);
+    void transmittance(const FrameInputs& inputs, const Query& query, std::size_t light,
+                       std::span<float> out);
     PictureReceivers receivers(const FrameInputs& inputs);
     // In the middle of each pixel: T of a light, the distance from the eye, and the shape's index
     // in the scene; -1, -1 where there is none. One picture a channel.

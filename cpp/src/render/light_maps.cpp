@@ -122,7 +122,7 @@ Texture& LightMaps::add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool 
 }
 
 void LightMaps::ask(const Query& query) {
-    query_.set(receivers_in(space_, query, look_up_.own_correction), query.strand_width);
+    query_.ask(space_, query, look_up_.own_correction);
 }
 
 }  // namespace opacity::render

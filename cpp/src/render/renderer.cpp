@@ -23,6 +23,7 @@ struct Renderer::Impl {
     RenderSettings settings;
     float4 background{0.f, 0.f, 0.f, 0.f};
     std::int64_t most_texels = 0;  // along a side of a texture
+    ShapeQuery shape_query;
 
     // Made with the context current; what they own may be freed without it (gl/object.hpp).
     std::unique_ptr<Device> device;
@@ -64,10 +65,20 @@ struct Renderer::Impl {
 
     render::FrameInputs inputs() const { return {*scene, camera, technique, settings, background}; }
 
-    std::vector<float> transmittance(const Query& query, int light) {
-        const Turn now = turn();
-        return frame->transmittance(inputs(), query, std::size_t(light));
+    void transmittance(const Query& query, int light, std::span<float> out) {
+        const std::size_t expected = channels() * query.world_points.size();
+        if (out.size() != expected)
+            throw ParameterError("T there has " + std::to_string(expected) +
+                                     " floats, the buffer " + std::to_string(out.size()),
+                                 "pass as many as there are points, times channels()");
+        frame->transmittance(inputs(), query, std::size_t(light), out);
     }
+    std::vector<float> transmittance(const Query& query, int light) {
+        std::vector<float> result(channels() * query.world_points.size());
+        transmittance(query, light, result);
+        return result;
+    }
+    std::size_t channels() const { return scene->is_tinted() ? channel_names.size() : 1; }
 
     std::vector<float> coverage() {
         check_size(settings.antialiasing.get());
@@ -145,7 +156,7 @@ Technique& Renderer::technique() {
     return *impl_->technique;
 }
 std::size_t Renderer::channels() const {
-    return impl_->scene->is_tinted() ? channel_names.size() : 1;
+    return impl_->channels();
 }
 const Camera& Renderer::camera() const {
     return impl_->camera;
@@ -210,12 +221,24 @@ void Renderer::render(std::span<float> rgba) {
 
 std::vector<float> Renderer::transmittance(const Positions& world_points, int light) {
     impl_->check_light(light);
+    const auto now = impl_->turn();
     return impl_->transmittance(Query::at(world_points, *impl_->scene), light);
+}
+void Renderer::transmittance(const Positions& world_points, int light, std::span<float> out) {
+    impl_->check_light(light);
+    const auto now = impl_->turn();
+    impl_->transmittance(Query::at(world_points, *impl_->scene), light, out);
 }
 
 std::vector<float> Renderer::transmittance(const Shape& shape, int light) {
     impl_->check_light(light);
-    return impl_->transmittance(Query::at(shape, *impl_->scene), light);
+    const auto now = impl_->turn();
+    return impl_->transmittance(impl_->shape_query.at(shape, *impl_->scene), light);
+}
+void Renderer::transmittance(const Shape& shape, int light, std::span<float> out) {
+    impl_->check_light(light);
+    const auto now = impl_->turn();
+    impl_->transmittance(impl_->shape_query.at(shape, *impl_->scene), light, out);
 }
 
 std::vector<float> Renderer::image(std::string_view name, int light) {

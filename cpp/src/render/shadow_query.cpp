@@ -119,13 +119,43 @@ const Resource& ShadowQuery::add(FrameGraph& graph, const ShadowLookUp& look_up,
     return buffers.transmittance;
 }
 
-void ShadowQuery::set(std::vector<Receiver> receivers, double width) {
-    receivers_ = std::move(receivers);
-    receiver_width_ = float(width);
-    asked_.touch();
+void ShadowQuery::ask(const LightSpace& space, const Query& query, bool own_correction) {
+    const bool is_other = update_receivers(space, query, own_correction);
+    const float width = float(query.strand_width);
+    if (is_other || width != receiver_width_) asked_.touch();
+    receiver_width_ = width;
+    transmittance_.resize(receivers_.size(), 1.f);
+    if (!is_other) return;
+    outside_ = std::size_t(std::ranges::count_if(
+        receivers_, [&](const Receiver& receiver) { return is_outside_map(receiver, space); }));
+}
+
+// Whether any is another than before.
+bool ShadowQuery::update_receivers(const LightSpace& space, const Query& query,
+                                   bool own_correction) {
+    if (!query.own) {
+        cause_.reset();
+        return replace_receivers(receivers_, space, query.world_points);
+    }
+    const Revision opacity = [&] {
+        const auto lock = query.own->lock();
+        return query.own->revisions().opacity;
+    }();
+    Cause now{query.placed, opacity, query.is_in_maps, own_correction, space};
+    if (now == cause_) return false;
+    receivers_ = receivers_in(space, query, own_correction);
+    cause_ = std::move(now);
+    return true;
+}
+
+void ShadowQuery::note_outside(PassContext& context) const {
+    if (outside_ > 0)
+        context.note(std::to_string(outside_) + " of " + std::to_string(receivers_.size()) +
+                     " receivers outside the map");
 }
 
 void ShadowQuery::ask_all(PassContext& context, const Asked& asked) {
+    note_outside(context);
     transmittance_.clear();
     for (std::size_t first = 0; first < receivers_.size(); first += most_receivers) {
         const std::span<const Receiver> part = std::span{receivers_}.subspan(
@@ -185,8 +215,9 @@ std::vector<float> ShadowQuery::sweep(PassContext& context, const Asked& asked,
 }
 
 void ShadowQuery::look_up_all(PassContext& context, const Asked& asked) {
+    note_outside(context);
     transmittance_.assign(receivers_.size(), 1.f);
-    if (!asked.look_up.on_cpu) return;
+    if (!asked.look_up.on_cpu || outside_ == receivers_.size()) return;
     const std::unique_ptr<TexelMap> map = asked.look_up.on_cpu(context);
     const MapLookUp answers = look_up_of(asked, *map, opaque_depth(context, asked.look_up));
     in_parts(receivers_.size(), [&](std::size_t i) {

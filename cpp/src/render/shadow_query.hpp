@@ -1,6 +1,7 @@
 // Asks the maps for T at receivers: the pass "transmittance", with its shader or in C++.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,8 +24,8 @@ class ShadowQuery {
     // `technique` and `space` are those of the look-up, and outlive the frame.
     const Resource& add(FrameGraph& graph, const ShadowLookUp& look_up, const Technique& technique,
                         const LightSpace& space, const View& light);
-    // What the next run of the pass answers; `width` as in Query.
-    void set(std::vector<Receiver> receivers, double width);
+    // What the next run of the pass answers; asked the same again, it stays cached.
+    void ask(const LightSpace& space, const Query& query, bool own_correction);
     const std::vector<float>& answers() const { return transmittance_; }
 
     struct Buffers {
@@ -49,8 +50,20 @@ class ShadowQuery {
     void look_up_all(PassContext& context, const Asked& asked);
     void sweep_on_cpu(PassContext& context, const Asked& asked);
 
+    // What the receivers of a shape's points follow from.
+    struct Cause {
+        Revision placed = 0, opacity = 0;
+        bool is_in_maps = false, own_correction = false;
+        LightSpace space;
+        bool operator==(const Cause&) const = default;
+    };
+    bool update_receivers(const LightSpace& space, const Query& query, bool own_correction);
+    void note_outside(PassContext& context) const;
+
     UniformSet asked_;
+    std::optional<Cause> cause_;  // none: the last were not a shape's
     std::vector<Receiver> receivers_;
+    std::size_t outside_ = 0;  // of these, the map
     float receiver_width_ = 0.f;
     std::vector<float> transmittance_;
 };

@@ -3,15 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.hpp"
+
 namespace opacity {
+namespace {
+
+constexpr std::size_t points_at_once = 1 << 16;
+
+}  // namespace
 
 Box Positions::bounds() const {
-    return visit([](const auto& xyz) {
-        Box box;
-        for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-            box.extend(double3{xyz[i], xyz[i + 1], xyz[i + 2]});
-        return box;
+    std::vector<Box> boxes((size() + points_at_once - 1) / points_at_once);
+    visit([&](const auto& xyz) {
+        parallel_parts(size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+            Box box;
+            for (std::size_t i = 3 * begin; i < 3 * end; i += 3)
+                box.extend(double3{xyz[i], xyz[i + 1], xyz[i + 2]});
+            boxes[begin / points_at_once] = box;
+        });
     });
+    Box all;
+    for (const Box& box : boxes) all.extend(box);
+    return all;
 }
 
 std::size_t Positions::first_bad() const {

@@ -246,10 +246,11 @@ class LayeredTexels : public TexelMap {
     }
     float about_mean(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
         const std::span<const float> planes = planes_.of(texel);
-        const float before = without(own, texel, layer);
-        const LayerHeld held{
-            without(own, texel, layer + 1) - before,
-            moment_without(own, texel, layer + 1) - moment_without(own, texel, layer)};
+        const LayerHeld in_front = without(own, texel, layer);
+        const LayerHeld with_layer = without(own, texel, layer + 1);
+        const float before = in_front.optical_depth;
+        const LayerHeld held{with_layer.optical_depth - before,
+                             with_layer.moment - in_front.moment};
         return before + held_in_front(held, planes[layer], planes[layer + 1], x,
                                       interpolation_ == Interpolation::mean_depth_of_few);
     }
@@ -260,7 +261,7 @@ class LayeredTexels : public TexelMap {
         for (int i = 0; i < 4; ++i) {
             const int k = std::clamp(layer + i - 1, 0, planes_.last_plane());
             places[i] = planes[k] + float(layer + i - 1 - k);  // outside, all stays as it is
-            values[i] = without(own, texel, k);
+            values[i] = map_.optical_depth(texel, k) - own_part(own, texel, k);
         }
         return monotone_cubic(places, values, x);
     }
@@ -269,14 +270,12 @@ class LayeredTexels : public TexelMap {
     float own_part(const OwnDeposit& own, std::size_t texel, int k) const {
         return own.optical_depth * counted_at(planes_.of(texel), k, own.depth, own.depth_end);
     }
-    float without(const OwnDeposit& own, std::size_t texel, int k) const {
-        return map_.optical_depth(texel, k) - own_part(own, texel, k);
-    }
-    float moment_without(const OwnDeposit& own, std::size_t texel, int k) const {
-        if (k == 0) return 0.f;
-        return map_.moment(texel, k) - own_part(own, texel, k) * mean_in_front(planes_.of(texel), k,
-                                                                               own.depth,
-                                                                               own.depth_end);
+    // In front of plane k, where moments are kept.
+    LayerHeld without(const OwnDeposit& own, std::size_t texel, int k) const {
+        if (k == 0) return {};
+        const float part = own_part(own, texel, k);
+        const float mean = mean_in_front(planes_.of(texel), k, own.depth, own.depth_end);
+        return {map_.optical_depth(texel, k) - part, map_.moment(texel, k) - part * mean};
     }
 
     const DrawnLayers drawn_;
