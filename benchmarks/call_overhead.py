@@ -56,7 +56,7 @@ def in_python(device: str, segments: int, repeats: int) -> Times:
     hair = scene.shapes[0]
     points = np.asarray(hair.points)
     t, image = np.empty(len(points), np.float32), np.empty((64, 64, 4), np.float32)
-    few = max(repeats // 10, 9)
+    few = max(repeats // 30, 9)
     with po.Renderer(scene, size=(64, 64), device=device) as renderer:  # type: ignore[arg-type]
 
         def anew(work: Callable[[], object]) -> Callable[[], object]:

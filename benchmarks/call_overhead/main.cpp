@@ -36,7 +36,7 @@ void measure(Renderer& renderer, const Shape& shape, bool has_pictures, int repe
     const auto anew = [&](auto work) {
         return [&renderer, work] { renderer.invalidate(), work(); };
     };
-    const int few = std::max(repeats / 10, 9);
+    const int few = std::max(repeats / 30, 9);
     std::printf("points %f\nshape %f\n", median_us(repeats, ask_points),
                 median_us(repeats, ask_shape));
     std::printf("shape_anew %f\n", median_us(few, anew(ask_shape)));

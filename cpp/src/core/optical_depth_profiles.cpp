@@ -102,6 +102,10 @@ std::vector<float> FineProfiles::rebinned_moments(std::span<const float> planes)
     result.reserve(profiles_.texel_count() * (planes.size() - 1));
     for (std::size_t t = 0; t < profiles_.texel_count(); ++t) {
         const std::span<const float> texel = profiles_.texel(t);
+        if (!is_covered(texel)) {
+            result.resize(result.size() + planes.size() - 1, 0.f);
+            continue;
+        }
         std::size_t cell = 0;
         double before = 0.0;  // of whole cells
         for (std::size_t k = 1; k + 1 < planes.size(); ++k) {

@@ -63,15 +63,19 @@ void triangle_texels(const std::array<float4, 3>& p, const LightSpace& space, Ro
     for (int y = band.begin; y < band.end; ++y)
         for (int x = columns.begin; x < columns.end; ++x) {
             const Corner middle{x + 0.5, y + 0.5};
-            TriangleTexel covered{x, y, {}, margin};
+            std::array<double, 3> sides;
             bool inside = true;
-            for (int i = 0; i < 3; ++i) {
+            for (std::size_t i = 0; i < 3 && inside; ++i) {
                 const Corner &a = c[(i + 1) % 3], &b = c[(i + 2) % 3];
-                const double side = turn * area(a, b, middle);
-                inside &= side > 0.0 || (side == 0.0 && (turn > 0.0 ? owns(a, b) : owns(b, a)));
-                covered.weights[i] = float(side / (turn * twice_area));
+                sides[i] = turn * area(a, b, middle);
+                inside =
+                    sides[i] > 0.0 || (sides[i] == 0.0 && (turn > 0.0 ? owns(a, b) : owns(b, a)));
             }
-            if (inside) texel(covered);
+            if (!inside) continue;
+            TriangleTexel covered{x, y, {}, margin};
+            for (std::size_t i = 0; i < 3; ++i)
+                covered.weights[i] = float(sides[i] / (turn * twice_area));
+            texel(covered);
         }
 }
 
