@@ -10,14 +10,20 @@
 
 namespace opacity {
 
+// Strands come and go through a band, so that their points lie apart: those are sent for early.
+inline constexpr std::size_t segments_ahead = 8;
+
 // Those of some primitives of one caster, within the rows of a face.
 template <class Sink>
 void caster_fragments(const LightCaster& caster, std::span<const std::uint32_t> primitives,
                       const FragmentSource& source, const MapFace* face, Rows rows, Sink&& sink) {
     switch (caster.kind) {
         case CasterKind::strands:
-            for (const std::uint32_t i : primitives)
-                segment_fragments(caster, caster.indices[i], source, face, rows, sink);
+            for (std::size_t k = 0; k < primitives.size(); ++k) {
+                const std::size_t soon = std::min(k + segments_ahead, primitives.size() - 1);
+                __builtin_prefetch(&caster.points[caster.indices[primitives[soon]]]);
+                segment_fragments(caster, caster.indices[primitives[k]], source, face, rows, sink);
+            }
             return;
         case CasterKind::mesh:
             for (const std::uint32_t i : primitives)

@@ -58,11 +58,12 @@ struct RibbonColumn {
         y = s.y + s.slope * (column - s.x);
         depth = s.depth(place);
     }
-    // c, of the texel whose middle is at `row`.
-    float across(float row) const {
-        const float top = std::min(y + half_width, row + 0.5f);
-        return std::min(std::max(top - std::max(y - half_width, row - 0.5f), 0.f), 1.f);
+    // With the texel that begins at `row`; negative where they do not meet.
+    float overlap(float row) const {
+        return std::min(y + half_width, row + 1.f) - std::max(y - half_width, row);
     }
+    // c, of the texel whose middle is at `row`.
+    float across(float row) const { return std::clamp(overlap(row - 0.5f), 0.f, 1.f); }
 };
 
 // What the ribbon covers of the texel whose middle is at (column, row) on the segment's axes.

@@ -106,11 +106,12 @@ void ribbon_fragments(const MajorSegment& s, float root_width, float tip_width, 
     for (int column = columns.begin; column < columns.end; ++column) {
         if (!emit.wants_column(column)) continue;
         const RibbonColumn ribbon{s, root_width, tip_width, float(column) + 0.5f};
-        if (!(ribbon.along > 0.f)) continue;
-        const Rows covered =
-            whole_between(ribbon.y - ribbon.half_width, ribbon.y + ribbon.half_width, rows);
-        for (int row = covered.begin; row < covered.end; ++row) {
-            const float c = ribbon.across(float(row) + 0.5f);
+        const float low = std::max(ribbon.y - ribbon.half_width, float(rows.begin));
+        const float high = std::min(ribbon.y + ribbon.half_width, float(rows.end));
+        if (!(ribbon.along > 0.f && low < high)) continue;
+        float side = float(int(low));  // of a texel
+        for (int row = int(low); side < high; ++row, side += 1.f) {
+            const float c = ribbon.overlap(side);
             if (c > 0.f)
                 emit(column, row, ribbon.depth, ribbon.place, std::min(ribbon.along, 1.f), c);
         }
