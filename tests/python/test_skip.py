@@ -49,6 +49,17 @@ def test_setting_what_is_there_already_runs_nothing(renderer: po.Renderer) -> No
     assert ran_after(renderer, change) == set()
 
 
+def test_a_question_asked_again_runs_nothing(renderer: po.Renderer) -> None:
+    hair = renderer.scene.shapes[0]
+    for where in (hair, hair.points * 0.9):
+        first = renderer.transmittance(where)
+        renderer.render()
+        assert (renderer.transmittance(where) == first).all()
+        assert ran(renderer) == set()
+        renderer.invalidate()
+        assert (renderer.transmittance(where) == first).all()
+
+
 def test_the_camera_moves_lighting_alone(renderer: po.Renderer) -> None:
     def change() -> None:
         renderer.camera = po.Camera.look_at((2, -3, 1), (0, 0, 0.4))

@@ -125,7 +125,8 @@ void ShadowQuery::ask(const LightSpace& space, const Query& query, bool own_corr
     if (is_other || width != receiver_width_) asked_.touch();
     receiver_width_ = width;
     transmittance_.resize(receivers_.size(), 1.f);
-    if (!is_other) return;
+    if (!is_other && query.own) return;
+    // Of points the map may have grown about the same places.
     outside_ = std::size_t(std::ranges::count_if(
         receivers_, [&](const Receiver& receiver) { return is_outside_map(receiver, space); }));
 }
