@@ -32,6 +32,7 @@ WAYS: dict[str, tuple[str, dict[str, Any]]] = {
     ),
     "`bounding_opacity_maps`": ("bounding_opacity_maps", {}),
     "the same, 8 layers": ("bounding_opacity_maps", {"layers": 8}),
+    "`adaptive_opacity_maps`": ("adaptive_opacity_maps", {}),
     "`deep_shadow_maps`": ("deep_shadow_maps", {}),
     "`exact`": ("exact", {}),
 }

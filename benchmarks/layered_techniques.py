@@ -25,6 +25,7 @@ WAYS: dict[str, tuple[str, dict[str, object]]] = {
     "`exact`": ("exact", {}),
     "`bounding_opacity_maps`": ("bounding_opacity_maps", {}),
     "the same, 8 layers": ("bounding_opacity_maps", {"layers": 8}),
+    "`adaptive_opacity_maps`": ("adaptive_opacity_maps", {}),
     "`deep_opacity_maps`": ("deep_opacity_maps", {}),
     "the same, 3 layers": ("deep_opacity_maps", {"layers": 3}),
     "`opacity_shadow_maps`": ("opacity_shadow_maps", {}),

@@ -39,6 +39,9 @@ WAYS: dict[str, tuple[str, dict[str, Any]]] = {
         {"coefficients": 15, "bounds": "per_texel"},
     ),
     "moment opacity maps, 4 moments": ("moment_opacity_maps", {}),
+    "adaptive opacity maps, 16 layers": ("adaptive_opacity_maps", {}),
+    "adaptive opacity maps, 4 layers": ("adaptive_opacity_maps", {"layers": 4}),
+    "bounding opacity maps, 4 layers": ("bounding_opacity_maps", {"layers": 4}),
 }
 
 

@@ -55,7 +55,7 @@ def test_nothing_with_as_many_layers_is_better(name: str) -> None:
     scene = two_clusters() if name == "clusters" else scene_of(name)
     exact, _ = T_of(scene, 256, "exact")
     found, why = T_of(scene, 256, po.technique("auto", layers=8, memory=1))
-    assert why.startswith("bounding_opacity_maps, 8 layers: ")
+    assert why.startswith("adaptive_opacity_maps, 8 layers: ")
     kept = {info.name for info in po.techniques().values() if has(info, "layers")} - {"auto"}
     errors = {t: rmse(T_of(scene, 256, po.technique(t, layers=8))[0] - exact) for t in kept}
     assert rmse(found - exact) <= 1.1 * min(errors.values()), errors
@@ -83,7 +83,7 @@ def test_few_casters_are_listed_and_many_are_layered() -> None:
             technique = po.technique("auto", error_budget=budget)
             notes[count, budget] = T_of(scene, 64, technique)[1]
     assert notes[50, 0.02].startswith("exact: some ") and "MiB" in notes[50, 0.02]
-    assert notes[20000, 0.02].startswith("bounding_opacity_maps, 5 layers: ")
+    assert notes[20000, 0.02].startswith("adaptive_opacity_maps, 4 layers: ")
     assert notes[20000, 1e-6].endswith("layers miss error_budget 1e-06")
 
 
@@ -93,7 +93,7 @@ def test_what_it_picks_has_its_parameters_and_answers_the_same() -> None:
     ways = {
         po.technique("auto", **common): po.technique("exact", **common),
         po.technique("auto", memory=1, layers=6, **common): po.technique(
-            "bounding_opacity_maps", layers=6, **common
+            "adaptive_opacity_maps", layers=6, **common
         ),
     }
     for auto, other in ways.items():

@@ -12,10 +12,17 @@
 #endif
 
 uniform int u_layers;  // K
+#ifdef TILE_PX
+#include "lib/tile_planes.glsl"
+
+// Each tile has planes of its own: a curve is its index.
+float plane(int curve, int k) { return tile_plane(curve, k, u_layers); }
+#else
 // Of [0, 1]: K + 1 for each of the split curves that texels choose from, the first 0, the last 1.
 uniform float u_planes[CURVES * (MOST_LAYERS + 1)];
 
 float plane(int curve, int k) { return u_planes[curve * (u_layers + 1) + k]; }
+#endif
 
 // Position between the bounds; 0 where they coincide.
 float between(float start, float end, float depth) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -131,9 +133,9 @@ std::string Choice::range() const {
 
 void Choice::assign(const ParamValue& value) {
     const auto* text = std::get_if<std::string>(&value);
-    std::size_t index = choices_.size();
-    for (std::size_t i = 0; text && i < choices_.size(); ++i)
-        if (choices_[i] == *text) index = i;
+    const auto* number = std::get_if<std::int64_t>(&value);  // of a choice that is one
+    const std::string word = text ? *text : number ? std::to_string(*number) : "";
+    const auto index = std::size_t(std::ranges::find(choices_, word) - choices_.begin());
     if (index == choices_.size()) reject(value, "not one of " + range());
     if (index == index_) return;
     index_ = index;

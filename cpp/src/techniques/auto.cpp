@@ -19,7 +19,7 @@ constexpr double bytes_a_texel = 28.0, bytes_an_entry = 32.0;
 struct LayerError {
     double with_16, power;
 };
-constexpr LayerError layer_errors[] = {{0.003, 1.6}, {0.015, 0.5}, {0.03, 0.5}};  // by Kind
+constexpr LayerError layer_errors[] = {{0.003, 1.2}, {0.013, 0.5}, {0.01, 0.8}};  // by Kind
 constexpr int least_layers = 4, too_many_layers = 65;
 
 std::string told(const char* text, double a, double b) {
@@ -45,9 +45,9 @@ const std::shared_ptr<Technique>& Auto::exact() {
     return technique;
 }
 
-const std::shared_ptr<Technique>& Auto::bounding_maps(int layer_count) {
+const std::shared_ptr<Technique>& Auto::layered_maps(int layer_count) {
     std::shared_ptr<Technique>& technique = made_[layer_count];
-    if (!technique) technique = make_technique("bounding_opacity_maps");
+    if (!technique) technique = make_technique("adaptive_opacity_maps");
     copy_params(*this, *technique);
     technique->param("layers").assign(std::int64_t{layer_count});
     return technique;
@@ -74,8 +74,8 @@ Technique::Delegate Auto::delegate(const Scene& scene, const LightSpace& space) 
         return {exact(), told("exact: some %.1f entries a texel, and layers miss error_budget %g",
                               mean, error_budget.get())};
     const int count = std::min(wanted, too_many_layers - 1);
-    return {bounding_maps(count),
-            "bounding_opacity_maps, " + std::to_string(count) + " layers: " +
+    return {layered_maps(count),
+            "adaptive_opacity_maps, " + std::to_string(count) + " layers: " +
                 (fits ? told("some %.1f entries a texel, error_budget %g", mean, error_budget.get())
                       : told("lists of %.0f MiB exceed memory %g", mib, double(memory.get())))};
 }

@@ -1,12 +1,10 @@
 #include "techniques/bounding_opacity_maps.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "opacity/core/error.hpp"
 #include "opacity/core/split.hpp"
-#include "opacity/scene/mesh.hpp"
 #include "techniques/histogram.hpp"
 #include "techniques/local_splits.hpp"
 
@@ -54,20 +52,6 @@ LayerSpan BoundingOpacityMaps::add_span(FrameGraph& graph, const ShadowInputs& i
     Texture& start = add_first_depth(graph, inputs);
     if (bounds.is("depth_func")) return {&start, &add_last_depth(graph, inputs)};
     return {&start, &add_last_depth_mirrored(graph, inputs, bounds.is("depth_range"))};
-}
-
-// Coarser sums do not tell where in a layer what it holds lies. A leaf is one caster, and often the
-// only one of its layer; strands and media are many.
-Interpolation BoundingOpacityMaps::between_planes(const ShadowInputs& inputs) const {
-    const bool is_fine = accumulator_bits() == 32 && !inputs.paper_deposit;
-    if (interpolation.is("linear") || (interpolation.is("auto") && !is_fine))
-        return Interpolation::linear;
-    const auto is_surface = [](const ShapePtr& shape) {
-        return dynamic_cast<const Mesh*>(shape.get()) != nullptr;
-    };
-    return std::ranges::any_of(inputs.translucent.shapes(), is_surface)
-               ? Interpolation::mean_depth_of_few
-               : Interpolation::mean_depth;
 }
 
 // Eleven frames would draw eleven maps for what one histogram tells.

@@ -24,15 +24,14 @@
 
 #include <string_view>
 
-#include "techniques/layered.hpp"
+#include "techniques/bounded_layers.hpp"
 #include "techniques/split_search.hpp"
 
 namespace opacity::techniques {
 
-class BoundingOpacityMaps : public Layered {
+class BoundingOpacityMaps : public BoundedLayers {
    public:
-    BoundingOpacityMaps()
-        : Layered{"bounding_opacity_maps", 64, "Opacity layers between the two bounds."} {}
+    BoundingOpacityMaps() : BoundedLayers{"bounding_opacity_maps"} {}
 
     std::string_view summary() const override {
         return "Opacity layers between the first and the last caster of each texel, on a hybrid "
@@ -83,13 +82,6 @@ class BoundingOpacityMaps : public Layered {
                   "blending, else in two, the last by a reversed depth test or by mirrored depths, "
                   "as swapped near and far planes or the depth range give them. The same maps, up "
                   "to 2^-25 of a depth that was mirrored."};
-    Choice interpolation{*this,
-                         "interpolation",
-                         {"auto", "linear", "mean_depth"},
-                         "Between planes: linear lets optical depth grow evenly, as in the thesis; "
-                         "mean_depth keeps the mean depth of what each layer holds, and T falls "
-                         "about it; auto does so with the accumulator float32 and our deposit "
-                         "rule."};
 
    protected:
     int most_targets() const override {
@@ -104,7 +96,6 @@ class BoundingOpacityMaps : public Layered {
     bool is_searched() const;
     double fixed_ratio() const;
     int region_px() const;
-    Interpolation between_planes(const ShadowInputs& inputs) const;
 
     UniformSet search_request_{"needs_recompute"};
 };

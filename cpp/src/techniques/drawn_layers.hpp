@@ -23,6 +23,11 @@ inline Slot slot_of(int k, bool is_packed) {
     return {slot / planes_per_target, slot % planes_per_target};
 }
 
+// In the memory of an array of images, each of so many texels.
+inline std::size_t index_of(const Slot& slot, std::size_t texel, std::size_t texel_count) {
+    return (slot.target * texel_count + texel) * planes_per_target + slot.channel;
+}
+
 // What one pass draws of layers: of so many layers of the map and of the moments, or one of these.
 struct LayerPart {
     int first_target, target_count;
@@ -45,6 +50,13 @@ struct LocalCurves {
     int count() const { return ratios ? split_trials : 1; }
 };
 
+// Planes of their own for tiles of texels: K - 1 of [0, 1], four to an image, between the 0 and the
+// 1 that all have. GLSL: lib/tile_planes.glsl.
+struct TilePlanes {
+    Texture* places = nullptr;  // none: the same for all
+    int tile_px = 1;
+};
+
 // How a look-up goes from one plane to the next: by a line, by a monotone cubic through four
 // planes, or about the mean depth of what the layer holds, many casters or few. GLSL:
 // lib/layers.glsl.
@@ -62,6 +74,7 @@ struct DrawnLayers {
     bool ignores_beyond = false;  // what lies behind the last layer casts nothing
     bool is_swept = false;        // the map holds four planes at a time
     LocalCurves curves = {};
+    TilePlanes tiles = {};  // if there are any, `planes` only says how many
     BlockSample kept = {};  // of the light's map; nothing stands between these blocks
 
     // Of a texel of the light's map, in an image.
@@ -80,7 +93,7 @@ struct DrawnLayers {
     void add_to(Reads& reads) const {
         reads.push_back(&planes);
         for (const Source* source : std::initializer_list<const Source*>{
-                 span.start, span.end, span.depth, kappa, curves.ratios})
+                 span.start, span.end, span.depth, kappa, curves.ratios, tiles.places})
             if (source) reads.push_back(source);
     }
 };

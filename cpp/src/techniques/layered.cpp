@@ -23,6 +23,7 @@ Defines layer_defines(const DrawnLayers& drawn) {
         defines.emplace_back("CURVES", std::to_string(drawn.curves.count()));
         defines.emplace_back("REGION_PX", std::to_string(drawn.curves.region_px));
     }
+    if (drawn.tiles.places) defines.emplace_back("TILE_PX", std::to_string(drawn.tiles.tile_px));
     if (drawn.kappa) defines.emplace_back("ACCUMULATOR_unorm8", "1");
     // Few sizes, so that few programs are made.
     const int planes = planes_per_target * drawn.map.desc().layers;
@@ -54,6 +55,7 @@ DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
                       options.packed,
                       options.ignores_beyond};
     drawn.curves = options.curves;
+    drawn.tiles = options.tiles;
     if (options.mean_depths)
         drawn.moments = &graph.texture("moments", inputs.map(Format::rgba32f, targets));
     if (format == Format::rgba8) {
@@ -82,6 +84,17 @@ DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs
     DrawnLayers drawn{graph.texture("histogram", desc), fine_planes, span};
     drawn.kept = kept;
     add_passes(graph, inputs, drawn, fine_layers, blocks.stride);
+    return drawn;
+}
+
+DrawnLayers Layered::add_trial(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
+                               Planes& planes, const Source& layer_count,
+                               const TilePlanes& tiles) const {
+    const int count = int(planes.get().size()) - 1;
+    const int targets = int(slot_of(count, false).target) + 1;
+    DrawnLayers drawn{graph.texture("opacity", inputs.map(Format::rgba32f, targets)), planes, span};
+    drawn.tiles = tiles;
+    add_passes(graph, inputs, drawn, layer_count, 1);
     return drawn;
 }
 

@@ -32,6 +32,7 @@ class Layered : public OwnCorrected {
         double kappa = full_8_bits;
         bool packed = false, ignores_beyond = false, mean_depths = false;
         LocalCurves curves = {};
+        TilePlanes tiles = {};
     };
     static const double full_8_bits;  // exp(-kappa) = 2^-8
 
@@ -41,6 +42,10 @@ class Layered : public OwnCorrected {
     // The same of fine layers, in all texels or a part of them; at the planes of this split ratio.
     DrawnLayers add_histogram(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
                               double split_ratio, bool in_all_texels = false) const;
+    // Passes that draw layers of optical depth alone, in all texels, for what places others by
+    // them.
+    DrawnLayers add_trial(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
+                          Planes& planes, const Source& layer_count, const TilePlanes& tiles) const;
     LookUp layers_look_up(const ShadowInputs& inputs, const DrawnLayers& drawn,
                           Interpolation interpolation = Interpolation::linear,
                           Reads more = {}) const;

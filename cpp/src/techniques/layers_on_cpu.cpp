@@ -13,6 +13,19 @@
 namespace opacity::techniques {
 namespace {
 
+// Those of each tile of texels, one tile after the other.
+std::vector<float> tile_planes(std::span<const float> places, std::size_t tiles, int last_plane) {
+    const std::size_t count = std::size_t(last_plane) + 1;
+    std::vector<float> planes(tiles * count);
+    parallel_for(tiles, [&](std::size_t tile) {
+        float* const own = planes.data() + tile * count;
+        for (int k = 1; k < last_plane; ++k)
+            own[k] = places[index_of(slot_of(k, false), tile, tiles)];
+        own[last_plane] = 1.f;
+    });
+    return planes;
+}
+
 // Where a texel lays its planes.
 class LayerPlanes : public TexelSpans {
    public:
@@ -23,6 +36,7 @@ class LayerPlanes : public TexelSpans {
           width_px_{std::size_t(drawn.map.desc().width)},
           region_px_{std::size_t(drawn.curves.region_px)},
           ignores_beyond_{drawn.ignores_beyond} {
+        if (drawn.tiles.places) use(context, drawn.tiles);
         if (!drawn.curves.ratios) return;
         ratios_ = context.memory<float>(*drawn.curves.ratios);
         regions_across_ = std::size_t(drawn.curves.ratios->desc().width);
@@ -41,15 +55,26 @@ class LayerPlanes : public TexelSpans {
     }
 
    private:
+    void use(PassContext& context, const TilePlanes& tiles) {
+        const TextureDesc& desc = tiles.places->desc();
+        region_px_ = std::size_t(tiles.tile_px);
+        regions_across_ = std::size_t(desc.width);
+        tile_planes_ = tile_planes(context.memory<float>(*tiles.places),
+                                   regions_across_ * std::size_t(desc.height), last_plane_);
+        planes_ = tile_planes_;
+    }
     std::size_t curve_of(std::size_t texel) const {
-        if (ratios_.empty()) return 0;
+        if (regions_across_ == 0) return 0;
         const std::size_t x = texel % width_px_ / region_px_, y = texel / width_px_ / region_px_;
-        return std::size_t(float(split_trials - 1) * ratios_[y * regions_across_ + x] + 0.5f);
+        const std::size_t region = y * regions_across_ + x;
+        if (ratios_.empty()) return region;
+        return std::size_t(float(split_trials - 1) * ratios_[region] + 0.5f);
     }
 
     std::span<const float> planes_;
     int last_plane_;
     std::size_t width_px_, region_px_, regions_across_ = 0;
+    std::vector<float> tile_planes_;
     std::span<const float> ratios_;
     bool ignores_beyond_;
 };
