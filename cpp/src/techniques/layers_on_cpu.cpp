@@ -17,11 +17,13 @@ namespace {
 std::vector<float> tile_planes(std::span<const float> places, std::size_t tiles, int last_plane) {
     const std::size_t count = std::size_t(last_plane) + 1;
     std::vector<float> planes(tiles * count);
-    parallel_for(tiles, [&](std::size_t tile) {
-        float* const own = planes.data() + tile * count;
-        for (int k = 1; k < last_plane; ++k)
-            own[k] = places[index_of(slot_of(k, false), tile, tiles)];
-        own[last_plane] = 1.f;
+    parallel_parts(tiles, 1024, [&](std::size_t first_tile, std::size_t last_tile) {
+        for (std::size_t tile = first_tile; tile < last_tile; ++tile) {
+            float* const own = planes.data() + tile * count;
+            for (int k = 1; k < last_plane; ++k)
+                own[k] = places[index_of(slot_of(k, false), tile, tiles)];
+            own[last_plane] = 1.f;
+        }
     });
     return planes;
 }
