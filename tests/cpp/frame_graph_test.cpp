@@ -29,6 +29,10 @@ struct RecordingDevice : Device {
     void dispatch(const Pass& p, std::array<int, 3>, const Uniforms&) override {
         calls.push_back("dispatch " + p.name);
     }
+    void dispatch_shapes(const Pass& p, const ShapeFilter&) override {
+        calls.push_back("dispatch shapes of " + p.name);
+    }
+    void fill(const Texture&, float) override {}
     void zero(const Resource& r) override { contents[r.name()].assign(16, std::byte{0}); }
     void write(const Resource& r, std::span<const std::byte> c) override {
         contents[r.name()].assign(c.begin(), c.end());

@@ -146,6 +146,7 @@ void Program::reflect_uniforms() {
         const bool image = is_image(uniform.type);
         GLuint& next = image ? next_image : next_texture;
         (image ? images_ : samplers_).emplace(uniform_name, next);
+        if (is_bit_image(uniform.type)) bit_images_.insert(uniform_name);
         for (int element = 0; element < uniform.array_size; ++element) {
             gl().ProgramUniform1i(name(), uniform.location + element, GLint(next++));
         }

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,8 @@ class Program {
     std::optional<GLuint> sampler(std::string_view name) const { return find(samplers_, name); }
     std::optional<GLuint> image(std::string_view name) const { return find(images_, name); }
     std::optional<GLuint> block(std::string_view name) const { return find(blocks_, name); }
+    // Whether an image is of unsigned whole numbers.
+    bool is_of_bits(std::string_view image) const { return bit_images_.contains(image); }
 
     // All that is active, by name: what a caller has not fed is an error that it can report.
     template <class T>
@@ -78,6 +81,7 @@ class Program {
     std::string label_;  // "casters.vert.glsl + techniques/exact.glsl"
     ByName<Uniform> uniforms_;
     ByName<GLuint> samplers_, images_, blocks_;
+    std::set<std::string, std::less<>> bit_images_;
 };
 
 }  // namespace opacity::gl

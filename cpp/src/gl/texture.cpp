@@ -153,6 +153,14 @@ void Texture::set_wrap(GLenum wrap) {
         object_.context()->gl().TextureParameteri(name(), axis, GLint(wrap));
 }
 
+void Texture::fill(float value) {
+    const Context::Use use{*object_.context()};
+    const TexelFormat& format = texel_format(internal_format_);
+    const std::array<float, 4> texel{value, value, value, value};
+    object_.context()->gl().ClearTexImage(name(), 0, format.layout, format.type, texel.data());
+    check_errors(*object_.context(), "filling a texture of " + size_text(size_bytes()));
+}
+
 void Texture::clear() {
     const Context::Use use{*object_.context()};
     const TexelFormat& format = texel_format(internal_format_);

@@ -48,6 +48,8 @@ class Texture {
     void set_wrap(GLenum wrap);
     // All texels zero.
     void clear();
+    // Of floats: every channel.
+    void fill(float value);
 
    private:
     TextureObject object_;

@@ -60,6 +60,10 @@ bool is_sampler(GLenum type) {
            within(type, GL_SAMPLER_2D_MULTISAMPLE, GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY);
 }
 
+bool is_bit_image(GLenum type) {
+    return within(type, GL_UNSIGNED_INT_IMAGE_1D, GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY);
+}
+
 bool is_image(GLenum type) {
     return within(type, GL_IMAGE_1D, GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY);
 }

@@ -19,5 +19,6 @@ const UniformType& uniform_type(GLenum type);
 
 bool is_sampler(GLenum type);
 bool is_image(GLenum type);
+bool is_bit_image(GLenum type);  // of unsigned whole numbers
 
 }  // namespace opacity::gl

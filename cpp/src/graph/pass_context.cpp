@@ -15,17 +15,24 @@ namespace {
 
 }  // namespace
 
-void PassContext::draw(const Uniforms& extra, const ShapeFilter& wanted) {
-    graph_.device_.draw(pass_, extra, wanted);
-}
-
-void PassContext::dispatch(int count, const Uniforms& extra) {
+std::array<int, 3> work_groups(int count) {
     constexpr int group_size = 64;      // lib/invocation.glsl
     constexpr int most_groups = 32768;  // OpenGL promises 65,535 in each direction
     const int groups = (count + group_size - 1) / group_size;
     const int columns = std::min(groups, most_groups);
-    if (count > 0)
-        graph_.device_.dispatch(pass_, {columns, (groups + columns - 1) / columns, 1}, extra);
+    return {columns, (groups + columns - 1) / columns, 1};
+}
+
+void PassContext::draw(const Uniforms& extra, const ShapeFilter& wanted) {
+    graph_.device_.draw(pass_, extra, wanted);
+}
+
+void PassContext::dispatch_shapes(const ShapeFilter& wanted) {
+    graph_.device_.dispatch_shapes(pass_, wanted);
+}
+
+void PassContext::dispatch(int count, const Uniforms& extra) {
+    if (count > 0) graph_.device_.dispatch(pass_, work_groups(count), extra);
 }
 
 void PassContext::resize(Texture& texture, const TextureDesc& desc) {
@@ -49,6 +56,11 @@ void PassContext::resize(Buffer& buffer, std::size_t size_bytes) {
 void PassContext::write(const Resource& resource, std::span<const std::byte> content) {
     require_store(resource);
     graph_.device_.write(resource, content);
+}
+
+void PassContext::fill(const Texture& texture, float value) {
+    require_store(texture);
+    graph_.device_.fill(texture, value);
 }
 
 void PassContext::zero(const Texture& texture) {

@@ -65,6 +65,15 @@ void CpuDevice::dispatch(const Pass& pass, std::array<int, 3>, const Uniforms&) 
     no_shaders(pass);
 }
 
+void CpuDevice::dispatch_shapes(const Pass& pass, const ShapeFilter&) {
+    no_shaders(pass);
+}
+
+void CpuDevice::fill(const Texture& texture, float value) {
+    const std::span<std::byte> all = memory(texture);
+    std::fill_n(reinterpret_cast<float*>(all.data()), all.size() / sizeof(float), value);
+}
+
 void CpuDevice::zero(const Resource& resource) {
     std::ranges::fill(memory(resource), std::byte{0});
 }

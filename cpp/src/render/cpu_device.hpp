@@ -21,7 +21,9 @@ class CpuDevice : public Device {
     void clear(const Pass& pass) override;
     void draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& wanted) override;
     void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) override;
+    void dispatch_shapes(const Pass& pass, const ShapeFilter& wanted) override;
     void zero(const Resource& resource) override;
+    void fill(const Texture& texture, float value) override;
     void write(const Resource& resource, std::span<const std::byte> content) override;
     void read(const Resource& resource, std::span<std::byte> content) override;
     void finish() override {}

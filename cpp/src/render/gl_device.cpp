@@ -220,13 +220,8 @@ void GlDevice::draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& 
     gl::check_errors(*context_, "drawing pass " + pass.name);
 }
 
-void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
-                          const Uniforms& extra) {
-    const GpuShape& gpu = shapes_.upload(shape);
-    if (gpu.index_count == 0) return;
-    Shader drawing = pass.shader;
-    drawing.compute.clear();
-    gl::Program& shader = program(drawing, gpu.defines);
+void GlDevice::feed(gl::Program& shader, const Pass& pass, const GpuShape& gpu, int index,
+                    const Uniforms& extra) {
     ProgramFeeder feeder{*this, shader};
     feed_shape(feeder, pass, gpu);
     feeder.uniform("u_shape_index", index);
@@ -238,7 +233,16 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
     for (const Resource* store : pass.stores) feeder.store(*store);
     for (const auto& [name, value] : extra) feeder.uniform(name, value);
     feeder.require_complete(pass);
+}
 
+void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
+                          const Uniforms& extra) {
+    const GpuShape& gpu = shapes_.upload(shape);
+    if (gpu.index_count == 0) return;
+    Shader drawing = pass.shader;
+    drawing.compute.clear();
+    gl::Program& shader = program(drawing, gpu.defines);
+    feed(shader, pass, gpu, index, extra);
     gl().UseProgram(shader.name());
     const Indices indices = orders_.indices(pass, shape, gpu);
     gl().VertexArrayElementBuffer(vertex_array_.name(), indices.buffer);
@@ -261,6 +265,26 @@ void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Unifo
     gl::check_errors(*context_, "computing pass " + pass.name);
 }
 
+void GlDevice::dispatch_shapes(const Pass& pass, const ShapeFilter& wanted) {
+    Shader computing = pass.shader;
+    computing.vertex.clear(), computing.fragment.clear();
+    int index = 0;
+    for (const ShapePtr& shape : pass.draws->shapes()) {
+        const int here = index++;
+        if (wanted && !wanted(*shape)) continue;
+        const GpuShape& gpu = shapes_.upload(shape);
+        if (gpu.quad_count == 0) continue;
+        gl::Program& shader = program(computing, gpu.defines);
+        feed(shader, pass, gpu, here, {});
+        gl().UseProgram(shader.name());
+        const auto [columns, rows, one] = work_groups(gpu.quad_count);
+        gl().DispatchCompute(GLuint(columns), GLuint(rows),
+                             GLuint(std::max(1, pass.view->faces())));
+    }
+    gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
+    gl::check_errors(*context_, "computing the shapes of pass " + pass.name);
+}
+
 void GlDevice::resolve(const Pass& pass) {
     for (const Target& target : pass.writes) {
         const TextureDesc& desc = target.texture->desc();
@@ -280,6 +304,10 @@ void GlDevice::resolve(const Pass& pass) {
 void GlDevice::zero(const Resource& resource) {
     const auto image = images_.find(resource.name());
     image != images_.end() ? image->second.texture.clear() : buffers_.at(resource.name()).clear();
+}
+
+void GlDevice::fill(const Texture& texture, float value) {
+    images_.at(texture.name()).texture.fill(value);
 }
 
 void GlDevice::write(const Resource& resource, std::span<const std::byte> content) {

@@ -33,7 +33,9 @@ class GlDevice : public Device {
     void clear(const Pass& pass) override;
     void draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& wanted) override;
     void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) override;
+    void dispatch_shapes(const Pass& pass, const ShapeFilter& wanted) override;
     void zero(const Resource& resource) override;
+    void fill(const Texture& texture, float value) override;
     void write(const Resource& resource, std::span<const std::byte> content) override;
     void read(const Resource& resource, std::span<std::byte> content) override;
     void finish() override;
@@ -57,6 +59,9 @@ class GlDevice : public Device {
     // into.
     void bind_targets(const Pass& pass);
     void set_state(const Pass& pass) const;
+    // What a pass's program takes, for one of its shapes.
+    void feed(gl::Program& shader, const Pass& pass, const GpuShape& gpu, int index,
+              const Uniforms& extra);
     // `index` in the pass's list.
     void draw_shape(const Pass& pass, const ShapePtr& shape, int index, const Uniforms& extra);
     void resolve(const Pass& pass);

@@ -137,6 +137,7 @@ void GpuShapes::upload_geometry(GpuShape& gpu, const Shape& shape) {
     }
     if (const auto* particles = dynamic_cast<const Particles*>(&shape))
         gpu.profile = int(particles->profile());
+    gpu.quad_count = int(quads);
     gpu.index_count = int(6 * quads);
     refresh(gpu.indices, Part::indices, now,
             [&] { return make_buffer(context_, quad_triangles(quads)); });

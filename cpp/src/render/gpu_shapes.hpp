@@ -33,6 +33,7 @@ struct GpuShape {
     GpuTexture extinction;        // of a volume, x first
     Defines defines;              // STRANDS, MESH, PARTICLES or VOLUME; ALPHA_MAP
     int segment_count = 0, index_count = 0;
+    int quad_count = 0;  // of strands and particles: one a caster
     int opacity_stride = 0, color_stride = 0;
     // Copied while the shape is locked, so that another thread may move it meanwhile.
     double4x4 transform = identity;

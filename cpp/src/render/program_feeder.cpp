@@ -37,10 +37,13 @@ void ProgramFeeder::store(const Resource& resource) {
     }
     const auto& texture = dynamic_cast<const Texture&>(resource);
     const std::string name = fed("i_" + resource.shader_name());
-    if (const auto unit = program_.image(name))
-        device_.gl().BindImageTexture(
-            GLuint(*unit), device_.images_.at(resource.name()).texture.name(), 0, GL_TRUE, 0,
-            GL_READ_WRITE, internal_format(texture.desc().format));
+    const auto unit = program_.image(name);
+    if (!unit) return;
+    // The bits of floats, on which there are atomics, to a program that takes whole numbers.
+    const bool as_bits = texture.desc().format == Format::r32f && program_.is_of_bits(name);
+    device_.gl().BindImageTexture(GLuint(*unit), device_.images_.at(resource.name()).texture.name(),
+                                  0, GL_TRUE, 0, GL_READ_WRITE,
+                                  as_bits ? GL_R32UI : internal_format(texture.desc().format));
 }
 
 void ProgramFeeder::buffer(const std::string& name, unsigned buffer) {

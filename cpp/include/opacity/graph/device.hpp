@@ -31,12 +31,19 @@ class Device {
     virtual void clear(const Pass& pass) = 0;
     virtual void draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& wanted) = 0;
     virtual void dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) = 0;
+    // The compute stage over the casters of each shape that is wanted, and the faces of the view.
+    virtual void dispatch_shapes(const Pass& pass, const ShapeFilter& wanted) = 0;
 
     virtual void zero(const Resource& resource) = 0;
+    // The same value in every channel of a texture of floats.
+    virtual void fill(const Texture& texture, float value) = 0;
     virtual void write(const Resource& resource, std::span<const std::byte> content) = 0;
     virtual void read(const Resource& resource, std::span<std::byte> content) = 0;
     virtual void finish() = 0;
 };
+
+// Groups for at least so many invocations of a shader that includes lib/invocation.glsl.
+std::array<int, 3> work_groups(int count);
 
 // Bytes of a texture's content at one sample a texel.
 std::size_t size_bytes(const TextureDesc& desc);

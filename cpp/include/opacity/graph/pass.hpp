@@ -19,10 +19,10 @@ class PassContext;
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-// Files under shaders/: a vertex and a fragment stage, or a compute stage alone. Every stage sees
-// its defines, such as PASS_opacity for one of several stages in a file, and while shapes are drawn
-// their kind: STRANDS, MESH (with ALPHA_MAP where it has one), PARTICLES or VOLUME; #include
-// "technique.glsl" means `technique`.
+// Files under shaders/: a vertex and a fragment stage, a compute stage, or all three for a pass
+// that draws some shapes and dispatches others. Every stage sees its defines, such as PASS_opacity
+// for one of several stages in a file, and while shapes are drawn their kind: STRANDS, MESH (with
+// ALPHA_MAP where it has one), PARTICLES or VOLUME; #include "technique.glsl" means `technique`.
 struct Shader {
     std::string vertex = {}, fragment = {}, compute = {};
     std::string technique = {};

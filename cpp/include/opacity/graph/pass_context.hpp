@@ -23,11 +23,15 @@ class PassContext {
     void draw(const Uniforms& extra = {}, const ShapeFilter& wanted = {});
     // At least `count` invocations of a shader that includes lib/invocation.glsl.
     void dispatch(int count, const Uniforms& extra = {});
+    // The pass's compute stage for each strand's segment, or particle, of its shapes:
+    // lib/scatter.glsl.
+    void dispatch_shapes(const ShapeFilter& wanted = {});
     // A declared store gets a new size before it is written.
     void resize(Texture& texture, const TextureDesc& desc);
     void resize(Buffer& buffer, std::size_t size_bytes);
     void write(const Resource& resource, std::span<const std::byte> content);
     void zero(const Texture& texture);
+    void fill(const Texture& texture, float value);
 
     // The content of a declared read.
     template <class T>
