@@ -1,8 +1,6 @@
 // Casters as the light sees them, each kind in a file of its own; lib/deposit.glsl then finds how
 // much of a texel they cover. Depth is written by the fragment stage, so nothing is clipped in z.
-#include "lib/light.glsl"
-
-uniform mat4 u_light_from_local;
+#include "lib/drawn_caster.glsl"
 
 // Passes that draw the same casters must agree on every bit of depth and coverage, on drivers that
 // fuse a * b + c too.
@@ -10,8 +8,6 @@ invariant gl_Position;
 
 #ifdef MAP_FACES
 // Each shape is drawn once for each face, or split. What is beside it, or not before it, is cut off.
-flat out int v_face;
-int drawn_face() { return gl_InstanceID; }
 out float gl_ClipDistance[5];
 
 // `p` times `forward` is the place on the face; so a triangle may reach behind it.
@@ -23,7 +19,7 @@ vec4 clip_from_face(vec2 p, float forward) {
     gl_ClipDistance[3] = size * forward - p.y;
     gl_ClipDistance[4] = forward - least_forward;
     vec2 map_size = size * vec2(u_light_columns, (MAP_FACES + u_light_columns - 1) / u_light_columns);
-    return vec4(2.0 * (p + forward * vec2(corner_px(drawn_face()))) / map_size - forward, 0.0, forward);
+    return vec4(2.0 * (p + forward * vec2(drawn_corner())) / map_size - forward, 0.0, forward);
 }
 
 #ifdef LIGHT_FACES
@@ -37,15 +33,6 @@ vec4 clip_from_texels(vec2 p) { return clip_from_face(p, 1.0); }
 vec4 clip_from_texels(vec2 p) { return vec4(2.0 * p / float(u_light_map_size_px) - 1.0, 0.0, 1.0); }
 #endif
 
-// A directional light's coordinates to the map that is drawn.
-#ifdef LIGHT_SPLITS
-vec3 drawn_place(vec3 p_ls) { return vec3(place_in(drawn_face(), p_ls.xy), p_ls.z); }
-float drawn_texels_per_unit() { return u_light_texels_per_unit * split_scale(drawn_face()); }
-#else
-vec3 drawn_place(vec3 p_ls) { return p_ls; }
-float drawn_texels_per_unit() { return u_light_texels_per_unit; }
-#endif
-
 // What leaves nothing in the map lies outside of it.
 vec4 clipped_away() {
 #ifdef MAP_FACES
@@ -53,11 +40,6 @@ vec4 clipped_away() {
 #endif
     return vec4(2.0, 2.0, 0.0, 1.0);
 }
-
-#ifdef OPTICAL_DEPTH
-layout(std430) readonly buffer b_opacity { float opacity[]; };
-uniform int u_opacity_stride;  // 0: one opacity for all
-#endif
 
 #ifdef STRANDS
 #include "casters/strands.vert.glsl"

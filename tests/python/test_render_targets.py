@@ -1,4 +1,4 @@
-"""How many images a pass draws into: the same T bit for bit, in more passes."""
+"""How many images a pass that blends draws into: the same T bit for bit, in more passes."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def passes(renderer: po.Renderer, texture: str) -> int:
 def test_T_is_the_same_in_more_passes(device: str, interpolation: str) -> None:
     """18 layers are five images of four planes, and with mean depths ten."""
     scene, strands = hair(2000)
-    technique = po.technique(MAPS, layers=18, interpolation=interpolation)
+    technique = po.technique(MAPS, layers=18, interpolation=interpolation, deposit="blend")
     expected = {0: 1, 8: 1, 4: 2, 2: 3, 1: 5}
     if interpolation == "mean_depth":
         expected = {0: 2, 8: 2, 4: 3, 2: 5, 1: 10}
@@ -38,7 +38,7 @@ def test_T_is_the_same_in_more_passes(device: str, interpolation: str) -> None:
 @pytest.mark.parametrize("device", DEVICES)
 def test_splits_of_texels_are_the_same_in_more_passes(device: str) -> None:
     scene, strands = hair(2000)
-    technique = po.technique(MAPS, layers=6, split="per_texel")
+    technique = po.technique(MAPS, layers=6, split="per_texel", deposit="blend")
     with po.Renderer(scene, technique=technique, device=device, map_size=32) as renderer:
         found = renderer.transmittance(strands)
         technique.render_targets = 1

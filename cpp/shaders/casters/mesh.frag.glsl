@@ -8,10 +8,10 @@ in vec2 v_uv;
 
 #ifdef LIGHT_FACES
 in vec3 v_q;
-float depth_here() { return depth_by(v_face, v_q); }
-float texels_per_unit() { return texels_per_unit_by(v_face, seen_by(v_face, v_q).z); }
+float depth_here() { return depth_by(drawn_face(), v_q); }
+float texels_per_unit() { return texels_per_unit_by(drawn_face(), seen_by(drawn_face(), v_q).z); }
 vec2 slope_here() {
-    return surface_slope(place_change_by(v_face, v_q, dFdx(v_q)), place_change_by(v_face, v_q, dFdy(v_q)));
+    return surface_slope(place_change_by(drawn_face(), v_q, dFdx(v_q)), place_change_by(drawn_face(), v_q, dFdy(v_q)));
 }
 #else
 in float v_depth;

@@ -1,15 +1,7 @@
 // A particle in a texel: an interval, whose depths spread as those of its chords there.
-#include "lib/sphere.glsl"
+#include "casters/particles.glsl"
 
 uniform int u_profile;  // lib/density_profile.glsl
-flat in vec3 v_center;
-flat in float v_radius_texels;
-#ifdef LIGHT_FACES
-flat in vec4 v_sphere;
-#endif
-#ifdef OPTICAL_DEPTH
-flat in float v_opacity;
-#endif
 
 bool covers(out Deposit deposit) {
     deposit = Deposit(0.0, 0.0, 0.0);
@@ -20,13 +12,13 @@ bool covers(out Deposit deposit) {
 #ifdef LIGHT_FACES
     // A large one by the ray through the texel's middle.
     if (!(v_radius_texels < most_ring_texels)) {
-        LightRay ray = light_ray(v_face, texel_in_face());
+        LightRay ray = light_ray(drawn_face(), texel_in_face());
         float part;
         bool is_met = sphere_chord(ray, v_sphere.xyz, v_sphere.w, u_profile, deposit.depth, deposit.depth_end, part);
         deposit.optical_depth = part * through_center;
         return is_met;
     }
-    float depths_a_texel = seen_by(v_face, v_sphere.xyz).z / focal_px(v_face);
+    float depths_a_texel = seen_by(drawn_face(), v_sphere.xyz).z / focal_px(drawn_face());
 #else
     float depths_a_texel = 1.0 / (drawn_texels_per_unit() * u_light_depth_range);
 #endif

@@ -1,22 +1,13 @@
 // A strand's ribbon in a texel: a point in depth.
+#include "casters/strands.glsl"
 #include "lib/ribbon.glsl"
-
-flat in vec3 v_root, v_tip;
-flat in vec2 v_width_texels;
-#ifdef LIGHT_FACES
-flat in vec3 v_root_q, v_tip_q;
-flat in vec2 v_forward;
-#endif
-#ifdef OPTICAL_DEPTH
-flat in vec2 v_opacity;
-#endif
 
 #ifdef LIGHT_FACES
 // What is even along the segment is not along its picture on a face.
 void put_right(inout Coverage coverage) {
     float s = coverage.place;
     coverage.place = s * v_forward.x / ((1.0 - s) * v_forward.y + s * v_forward.x);
-    coverage.depth = depth_by(v_face, mix(v_root_q, v_tip_q, coverage.place));
+    coverage.depth = depth_by(drawn_face(), mix(v_root_q, v_tip_q, coverage.place));
 }
 #endif
 

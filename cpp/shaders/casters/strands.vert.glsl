@@ -1,77 +1,15 @@
 // A segment becomes the parallelogram that holds every texel which its ribbon touches.
-#include "lib/segment.glsl"
-
-uniform float u_width_scale;  // shape's units to world units
-
-precise flat out vec3 v_root, v_tip;   // light space
-precise flat out vec2 v_width_texels;  // at both ends
-#ifdef LIGHT_FACES
-precise flat out vec3 v_root_q, v_tip_q;  // light coordinates
-precise flat out vec2 v_forward;          // of both ends, before the face
-#endif
-#ifdef OPTICAL_DEPTH
-flat out vec2 v_opacity;
-#endif
-
-#ifdef LIGHT_FACES
-// Cuts off what is not before the face, and sees the rest through it; false where nothing is left.
-bool see_segment(vec2 width) {
-    float a = seen_by(drawn_face(), v_root_q).z, b = seen_by(drawn_face(), v_tip_q).z;
-    const float least = 1.001 * least_forward;
-    if (max(a, b) <= least) return false;
-    vec2 ends = vec2(0.0, 1.0);
-    if (a < least) ends.x = (least - a) / (b - a);
-    if (b < least) ends.y = (least - a) / (b - a);
-    vec3 root = v_root_q, along = v_tip_q - v_root_q;
-    v_root_q = root + ends.x * along;
-    v_tip_q = root + ends.y * along;
-    v_forward = mix(vec2(a), vec2(b), ends);
-    width = mix(width.xx, width.yy, ends);
-#ifdef OPTICAL_DEPTH
-    v_opacity = mix(v_opacity.xx, v_opacity.yy, ends);
-#endif
-    v_root = place_by(drawn_face(), v_root_q);
-    v_tip = place_by(drawn_face(), v_tip_q);
-    v_width_texels = vec2(ribbon_width_by(drawn_face(), v_root_q, along, width.x),
-                          ribbon_width_by(drawn_face(), v_tip_q, along, width.y));
-    return true;
-}
-#endif
+#include "casters/strands.glsl"
 
 void place_caster() {
-    uint first = segments[segment_index()];
-    vec4 root = points[first], tip = points[first + 1u];
-    vec3 root_ls = (u_light_from_local * vec4(root.xyz, 1.0)).xyz;
-    vec3 tip_ls = (u_light_from_local * vec4(tip.xyz, 1.0)).xyz;
-    vec2 width = vec2(root.w, tip.w) * u_width_scale;  // world units
-#ifdef OPTICAL_DEPTH
-    int i = int(first) * u_opacity_stride;
-    v_opacity = vec2(opacity[i], opacity[i + u_opacity_stride]);
-#endif
-#ifdef LIGHT_FACES
-    v_root_q = root_ls, v_tip_q = tip_ls;
-    if (!see_segment(width / u_light_depth_range)) {
+    if (!place_segment(segment_index())) {
         gl_Position = clipped_away();
         return;
     }
-#else
-    v_root = drawn_place(root_ls), v_tip = drawn_place(tip_ls);
-    v_width_texels = vec2(root.w, tip.w) * (u_width_scale * drawn_texels_per_unit());
-#endif
-
-    vec2 a = v_root.xy, d = v_tip.xy - v_root.xy;
-    bool steep = abs(d.y) > abs(d.x);
-    if (steep) a = a.yx, d = d.yx;
-    if (d.x == 0.0) {  // along the light: no area, no texel
-        gl_Position = clipped_away();
-        return;
-    }
-    float slope = d.y / d.x;
-    float half_width = 0.5 * max(v_width_texels.x, v_width_texels.y) * sqrt(1.0 + slope * slope);
-    float reach = half_width + 0.5 + 1.0 / 64.0;  // more than rasterisers round corners by
+    Band band = placed_band();
+    float reach = band.half_width + 0.5 + 1.0 / 64.0;  // more than rasterisers round corners by
     vec2 corner = segment_corner();
-    vec2 columns = vec2(floor(min(a.x, a.x + d.x)), ceil(max(a.x, a.x + d.x)));
-    float x = mix(columns.x, columns.y, corner.x);
-    vec2 p = vec2(x, a.y + slope * (x - a.x) + corner.y * reach);
-    gl_Position = clip_from_texels(steep ? p.yx : p);
+    float x = mix(band.columns.x, band.columns.y, corner.x);
+    vec2 p = vec2(x, line_at(band, x) + corner.y * reach);
+    gl_Position = clip_from_texels(band.steep ? p.yx : p);
 }

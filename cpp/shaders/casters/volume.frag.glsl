@@ -8,9 +8,9 @@ flat in vec3 v_slab_begin, v_slab_end;
 
 bool covers(out Deposit deposit) {
 #ifdef LIGHT_FACES
-    LightRay light = light_ray(v_face, texel_in_face());
+    LightRay light = light_ray(drawn_face(), texel_in_face());
 #elif defined(LIGHT_SPLITS)
-    LightRay light = light_ray(place_from(v_face, texel_in_face()));
+    LightRay light = light_ray(place_from(drawn_face(), texel_in_face()));
 #else
     LightRay light = light_ray(gl_FragCoord.xy);
 #endif

@@ -4,7 +4,7 @@
 // caster says it in a file of its own, as
 //     bool covers(out Deposit deposit)
 // which is false where it leaves nothing.
-#include "lib/light.glsl"
+#include "lib/drawn_caster.glsl"
 #include "lib/interval.glsl"
 #include "lib/opacity.glsl"
 
@@ -12,18 +12,14 @@
 uniform sampler2D t_opaque_depth;
 #endif
 
-#ifdef MAP_FACES
-flat in int v_face;
-vec2 texel_in_face() { return gl_FragCoord.xy - vec2(corner_px(v_face)); }
+// The texel in which a caster is looked at: of the map, and its middle on the face.
+#ifdef STAGE_COMPUTE
+ivec2 visited_texel = ivec2(0);  // on the face
+ivec2 texel_of_map() { return visited_texel + drawn_corner(); }
+vec2 texel_in_face() { return vec2(visited_texel) + 0.5; }
 #else
-vec2 texel_in_face() { return gl_FragCoord.xy; }
-#endif
-
-// 1 / the side of a texel in world units, of a directional light.
-#ifdef LIGHT_SPLITS
-float drawn_texels_per_unit() { return u_light_texels_per_unit * split_scale(v_face); }
-#else
-float drawn_texels_per_unit() { return u_light_texels_per_unit; }
+ivec2 texel_of_map() { return ivec2(gl_FragCoord.xy); }
+vec2 texel_in_face() { return gl_FragCoord.xy - vec2(drawn_corner()); }
 #endif
 
 struct Deposit {
@@ -51,22 +47,30 @@ const int deposit_ends = 1;
 #include "casters/volume.frag.glsl"
 #endif
 
-// The fragment's deposit. Discards what no receiver can notice: texels that are not covered, and
-// casters behind all receivers or behind an opaque one, where T is 0 without them. Of an interval
-// that such a depth cuts, what is in front of it remains.
-Deposit deposit_or_discard() {
-    Deposit deposit = Deposit(0.0, 0.0, 0.0);
-    if (!covers(deposit)) discard;
+// False where no receiver can notice it: in texels that are not covered, and of casters behind all
+// receivers or behind an opaque one, where T is 0 without them. Of an interval that such a depth
+// cuts, what is in front of it remains.
+bool deposits(out Deposit deposit) {
+    deposit = Deposit(0.0, 0.0, 0.0);
+    if (!covers(deposit)) return false;
     deposit.depth = max(deposit.depth, 0.0);
     deposit.depth_end = max(deposit.depth_end, deposit.depth);
     float last = 1.0;
 #ifdef READS_OPAQUE_DEPTH
-    last = min(last, texelFetch(t_opaque_depth, ivec2(gl_FragCoord.xy), 0).x);
+    last = min(last, texelFetch(t_opaque_depth, texel_of_map(), 0).x);
 #endif
-    if (!(deposit.depth <= last)) discard;
+    if (!(deposit.depth <= last)) return false;
     if (deposit.depth_end > last) {
         deposit.optical_depth *= part_in_front(deposit.depth, deposit.depth_end, last);
         deposit.depth_end = last;
     }
+    return true;
+}
+
+#ifdef STAGE_FRAGMENT
+Deposit deposit_or_discard() {
+    Deposit deposit;
+    if (!deposits(deposit)) discard;
     return deposit;
 }
+#endif

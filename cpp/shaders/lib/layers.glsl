@@ -22,6 +22,13 @@ float counted_part(TexelLayers layers, float begin, float end) {
 }
 
 #ifdef PASS_opacity
+// A search of planes looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks,
+// since rasterisers skip those that are discarded whole.
+bool is_sampled(ivec2 texel) { return all(equal((texel / 4) % BLOCK_STRIDE, ivec2(0))); }
+
+#ifdef SCATTERED
+#include "lib/scattered_layers.glsl"
+#else
 #include "lib/deposit.glsl"
 
 #ifdef WRITES_PLANES
@@ -33,10 +40,6 @@ layout(location = 0) out vec4 o_planes[TARGETS];
 #ifdef WRITES_MOMENTS
 layout(location = FIRST_MOMENTS) out vec4 o_moments[TARGETS];
 #endif
-
-// A search of planes looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks,
-// since rasterisers skip those that are discarded whole.
-bool is_sampled(ivec2 texel) { return all(equal((texel / 4) % BLOCK_STRIDE, ivec2(0))); }
 
 // A point counts at every plane behind its own layer, an interval in part at those inside it.
 void main() {
@@ -65,6 +68,7 @@ void main() {
 #endif
     }
 }
+#endif
 #else
 
 #include "lib/receiver.glsl"

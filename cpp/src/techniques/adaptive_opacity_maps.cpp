@@ -52,34 +52,36 @@ struct Turns {
 }  // namespace
 
 LookUp AdaptiveOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
-    const DepthBounds both = add_both_depths(graph, inputs);
-    const LayerSpan span{&both.start, &both.end};
+    const DepositWay way = deposit_way(graph, inputs);
+    const LayerSpan span = add_bounds(graph, inputs, way);
     const bool has_planes = layers.get() > 1;  // between the bounds
     Laid laid;
     if (has_planes)
-        laid = refine.is("frames") ? add_planes_over_frames(graph, inputs, span)
-                                   : add_planes(graph, inputs, span);
+        laid = refine.is("frames") ? add_planes_over_frames(graph, inputs, way, span)
+                                   : add_planes(graph, inputs, way, span);
     const Interpolation between = between_planes(inputs);
     const DrawnLayers drawn =
-        add_layers(graph, inputs, span, even_planes(graph, "planes", layers.get()),
+        add_layers(graph, inputs, way, span, even_planes(graph, "planes", layers.get()),
                    {.mean_depths = between != Interpolation::linear, .tiles = laid.planes});
     return layers_look_up(inputs, drawn, between, std::move(laid.more));
 }
 
 AdaptiveOpacityMaps::Laid AdaptiveOpacityMaps::add_planes(FrameGraph& graph,
                                                           const ShadowInputs& inputs,
+                                                          const DepositWay& way,
                                                           const LayerSpan& span) const {
     const LayerCount wanted{layers, layers.get()};
-    const DrawnLayers cells = add_cells(graph, inputs, span);
+    const DrawnLayers cells = add_cells(graph, inputs, way, span);
     if (refine.is("0")) return {add_planes_by(graph, inputs, cells, wanted)};
     const LayerCount count = trial_count(graph);
     const TilePlanes first = add_trial_planes(graph, inputs, cells, count);
-    return {add_planes_by(graph, inputs, add_trial_at(graph, inputs, span, first), wanted)};
+    return {add_planes_by(graph, inputs, add_trial_at(graph, inputs, way, span, first), wanted)};
 }
 
 // The newest planes, and those that are laid by them, take turns in two textures.
 AdaptiveOpacityMaps::Laid AdaptiveOpacityMaps::add_planes_over_frames(FrameGraph& graph,
                                                                       const ShadowInputs& inputs,
+                                                                      const DepositWay& way,
                                                                       const LayerSpan& span) const {
     const LayerCount wanted{layers, layers.get()}, count = trial_count(graph);
     const TextureDesc desc = tile_planes_desc(inputs, count.count, tile.get());
@@ -90,9 +92,9 @@ AdaptiveOpacityMaps::Laid AdaptiveOpacityMaps::add_planes_over_frames(FrameGraph
     const int next = state.next();
     const TilePlanes before =
         state.last.get() < 0
-            ? add_trial_planes(graph, inputs, add_cells(graph, inputs, span), count)
+            ? add_trial_planes(graph, inputs, add_cells(graph, inputs, way, span), count)
             : turns[1 - next];
-    const DrawnLayers trial = add_trial_at(graph, inputs, span, before);
+    const DrawnLayers trial = add_trial_at(graph, inputs, way, span, before);
     add_transmittance_planes(graph, inputs, shader_path(), "turn_planes", trial,
                              {turns[next], count, steady_even_part});
     graph.add({.name = "turn",
@@ -107,11 +109,11 @@ AdaptiveOpacityMaps::Laid AdaptiveOpacityMaps::add_planes_over_frames(FrameGraph
 }
 
 DrawnLayers AdaptiveOpacityMaps::add_cells(FrameGraph& graph, const ShadowInputs& inputs,
-                                           const LayerSpan& span) const {
+                                           const DepositWay& way, const LayerSpan& span) const {
     const FrameGraph::Scope scope{graph, "cells"};
     auto& count = graph.value("layers", 0);
     count.set(least_told);
-    return add_trial(graph, inputs, span, even_planes(graph, "planes", least_told), count, {});
+    return add_trial(graph, inputs, way, span, even_planes(graph, "planes", least_told), count, {});
 }
 
 LayerCount AdaptiveOpacityMaps::trial_count(FrameGraph& graph) const {
@@ -128,12 +130,12 @@ TilePlanes AdaptiveOpacityMaps::add_trial_planes(FrameGraph& graph, const Shadow
 }
 
 DrawnLayers AdaptiveOpacityMaps::add_trial_at(FrameGraph& graph, const ShadowInputs& inputs,
-                                              const LayerSpan& span,
+                                              const DepositWay& way, const LayerSpan& span,
                                               const TilePlanes& planes) const {
     const LayerCount count = trial_count(graph);
     const FrameGraph::Scope scope{graph, "trial"};
-    return add_trial(graph, inputs, span, even_planes(graph, "planes", count.count), count.source,
-                     planes);
+    return add_trial(graph, inputs, way, span, even_planes(graph, "planes", count.count),
+                     count.source, planes);
 }
 
 TilePlanes AdaptiveOpacityMaps::add_planes_by(FrameGraph& graph, const ShadowInputs& inputs,

@@ -57,18 +57,19 @@ class AdaptiveOpacityMaps : public BoundedLayers {
         TilePlanes planes;
         Reads more = {};  // for the look-up
     };
-    Laid add_planes(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span) const;
+    Laid add_planes(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
+                    const LayerSpan& span) const;
     Laid add_planes_over_frames(FrameGraph& graph, const ShadowInputs& inputs,
-                                const LayerSpan& span) const;
+                                const DepositWay& way, const LayerSpan& span) const;
     // A coarse histogram.
-    DrawnLayers add_cells(FrameGraph& graph, const ShadowInputs& inputs,
+    DrawnLayers add_cells(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
                           const LayerSpan& span) const;
     // Layers that planes are laid by again: how many, their planes, and themselves.
     LayerCount trial_count(FrameGraph& graph) const;
     TilePlanes add_trial_planes(FrameGraph& graph, const ShadowInputs& inputs,
                                 const DrawnLayers& told, const LayerCount& count) const;
-    DrawnLayers add_trial_at(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
-                             const TilePlanes& planes) const;
+    DrawnLayers add_trial_at(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
+                             const LayerSpan& span, const TilePlanes& planes) const;
     TilePlanes add_planes_by(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& told,
                              const LayerCount& count) const;
 };

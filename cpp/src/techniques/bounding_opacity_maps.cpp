@@ -11,13 +11,14 @@
 namespace opacity::techniques {
 
 LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
-    const LayerSpan span = add_span(graph, inputs);
+    const DepositWay way = deposit_way(graph, inputs);
+    const LayerSpan span = add_span(graph, inputs, way);
     auto& planes = graph.value("planes", std::vector<float>{});
     const Interpolation between = between_planes(inputs);
     const SplitSearch search{layers,    similarity,      bias,   own_correction, interpolation,
                              paper_lut, search_request_, between};
     const auto histogram = [&](bool in_all_texels = false) -> DrawnLayers {
-        return add_histogram(graph, inputs, span, fine_ratio, in_all_texels);
+        return add_histogram(graph, inputs, way, span, fine_ratio, in_all_texels);
     };
     LocalCurves curves;
     std::optional<SplitSearch::Trials> trials;
@@ -33,7 +34,7 @@ LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs)
         trials.emplace(search.begin_trial(graph, inputs, planes));
     }
     const DrawnLayers drawn =
-        add_layers(graph, inputs, span, planes,
+        add_layers(graph, inputs, way, span, planes,
                    {.mean_depths = between != Interpolation::linear, .curves = curves});
     Reads more;
     if (trials) {
@@ -44,11 +45,9 @@ LookUp BoundingOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs)
     return layers_look_up(inputs, drawn, between, std::move(more));
 }
 
-LayerSpan BoundingOpacityMaps::add_span(FrameGraph& graph, const ShadowInputs& inputs) const {
-    if (bounds.is("one_pass")) {
-        const DepthBounds both = add_both_depths(graph, inputs);
-        return {&both.start, &both.end};
-    }
+LayerSpan BoundingOpacityMaps::add_span(FrameGraph& graph, const ShadowInputs& inputs,
+                                        const DepositWay& way) const {
+    if (bounds.is("one_pass")) return add_bounds(graph, inputs, way);
     Texture& start = add_first_depth(graph, inputs);
     if (bounds.is("depth_func")) return {&start, &add_last_depth(graph, inputs)};
     return {&start, &add_last_depth_mirrored(graph, inputs, bounds.is("depth_range"))};

@@ -13,7 +13,8 @@
 //
 // Cost: a pass for the bounds and ceil(K / 16) blended passes into two arrays of ceil(K / 4)
 // RGBA32F layers; 8 + 32 ceil(K / 4) bytes a texel. With linear interpolation ceil(K / 32) passes
-// into one. The search, when the casters, their opacity or the light changed: 2 more passes and one
+// into one. By scatter one pass, whatever K is, and 4 K bytes a texel more, 8 K with mean depths.
+// The search, when the casters, their opacity or the light changed: 2 more passes and one
 // read-back, or a read-back in each of eleven frames; of per_texel and per_region, when these
 // moved, 4 more passes, and 308 bytes a texel (at 512^2). Look-up: 4 texels, 2 bounds and 2 planes
 // each, whatever K is.
@@ -66,11 +67,13 @@ class BoundingOpacityMaps : public BoundedLayers {
         "Frames that a search takes: 1 tries all ratios on one histogram, 11 "
         "draws one ratio a frame, as the thesis does. Of split auto; others take one."};
 
-    IntChoice render_targets{*this,
-                             "render_targets",
-                             {0, 1, 2, 4, 8},
-                             "Into how many images of four planes a pass may draw at once; more "
-                             "layers take several passes. 0: eight, which OpenGL 4.5 guarantees."};
+    IntChoice render_targets{
+        *this,
+        "render_targets",
+        {0, 1, 2, 4, 8},
+        "Of deposit blend: into how many images of four planes a pass may draw "
+        "at once; more layers take several passes. 0: eight, which OpenGL 4.5 "
+        "guarantees."};
     Param<bool> paper_lut{*this, "paper_lut", false,
                           "Lays the planes where the look-up texture of the thesis has them, not "
                           "by the curve in closed form: of a logarithmic split half of the range "
@@ -78,10 +81,10 @@ class BoundingOpacityMaps : public BoundedLayers {
     Choice bounds{*this,
                   "bounds",
                   {"one_pass", "depth_func", "swapped_planes", "depth_range"},
-                  "How the first and the last depth of each texel are drawn: in one_pass by "
-                  "blending, else in two, the last by a reversed depth test or by mirrored depths, "
-                  "as swapped near and far planes or the depth range give them. The same maps, up "
-                  "to 2^-25 of a depth that was mirrored."};
+                  "How the first and the last depth of each texel are drawn: in one_pass, as the "
+                  "deposit is, by blending or scatter; else in two, the last by a reversed depth "
+                  "test or by mirrored depths, as swapped near and far planes or the depth range "
+                  "give them. The same maps, up to 2^-25 of a depth that was mirrored."};
 
    protected:
     int most_targets() const override {
@@ -91,7 +94,7 @@ class BoundingOpacityMaps : public BoundedLayers {
    private:
     static constexpr int region_side_px = 8;
 
-    LayerSpan add_span(FrameGraph& graph, const ShadowInputs& inputs) const;
+    LayerSpan add_span(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way) const;
     void require_one_frame() const;
     bool is_searched() const;
     double fixed_ratio() const;

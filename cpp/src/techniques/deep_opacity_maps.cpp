@@ -38,13 +38,15 @@ LookUp DeepOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     // What the map's own channel holds is what the layers lie behind.
     const int bits = is_packed ? std::min(depth_bits.get(), accumulator_bits()) : depth_bits.get();
     const bool is_smooth = smoothing.get() > 0;
-    Texture& first = add_first_depth(graph, inputs, bits);
+    const DepositWay way = deposit_way(graph, inputs);
+    Texture& first = way.scatter ? scatter_first_depth(graph, *way.scatter, bits)
+                                 : add_first_depth(graph, inputs, bits);
     Texture& start = is_smooth ? add_smooth_depth(graph, inputs, first, smoothing) : first;
     const Places places{graph.value("planes", std::vector<float>{}),
                         graph.value("layers_depth", 1.f)};
     const bool finds_extent = layer_extent.is_auto() && layer_sizes.numbers().empty();
     if (finds_extent && !inputs.translucent.shapes().empty()) {
-        add_search(graph, inputs, start, places);
+        add_search(graph, inputs, way, start, places);
     } else {
         const std::vector<double> given = sizes();
         const double extent = finds_extent              ? inputs.space.depth_range
@@ -56,7 +58,7 @@ LookUp DeepOpacityMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
     }
     const LayerSpan span{&start, nullptr, &places.depth};
     const DrawnLayers drawn =
-        add_layers(graph, inputs, span, places.planes,
+        add_layers(graph, inputs, way, span, places.planes,
                    {.packed = is_packed, .ignores_beyond = beyond.is("ignore")});
     if (!is_smooth) return layers_look_up(inputs, drawn);
     LookUp look_up = layers_look_up(inputs, add_smooth_layers(graph, inputs, drawn, smoothing));
@@ -88,11 +90,13 @@ DeepOpacityMaps::Layout DeepOpacityMaps::layout(double extent_ls) const {
     return {planes_of_sizes(sizes), float(extent + missing)};
 }
 
-void DeepOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs, Texture& start,
+void DeepOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs,
+                                 const DepositWay& way, Texture& start,
                                  const Places& places) const {
     auto& fine_depth = graph.value("fine/layers_depth", 1.f);
-    const SampledLayers sampled = add_sampled_texels(
-        graph, inputs, add_histogram(graph, inputs, {&start, nullptr, &fine_depth}, fine_ratio));
+    const DrawnLayers histogram =
+        add_histogram(graph, inputs, way, {&start, nullptr, &fine_depth}, fine_ratio);
+    const SampledLayers sampled = add_sampled_texels(graph, inputs, histogram);
     graph.add({.name = "extent",
                .reads = {&sampled.texels, &sampled.drawn.planes, &layers, &layer_sizes, &beyond},
                .values = {&places.planes, &places.depth},

@@ -7,7 +7,8 @@
 //
 // Cost: 1 depth pass and ceil(K / 32) blended passes into ceil(K / 4) RGBA32F layers; 4 + 16 ceil(K
 // / 4) bytes a texel. With packing = "4n-1" the depth lies in a channel of the first layer, and a
-// look-up reads one texture: 3 layers are one texel. The search for the layers' depth, when the
+// look-up reads one texture: 3 layers are one texel. By scatter one pass, whatever K is, and 4 K
+// bytes a texel more. The search for the layers' depth, when the
 // casters, their opacity or the light changed: 2 more passes and one read-back. Look-up: 4 texels,
 // a depth and 2 planes each, whatever K is.
 //
@@ -82,8 +83,8 @@ class DeepOpacityMaps : public Layered {
     };
     std::vector<double> sizes() const;
     Layout layout(double extent_ls) const;
-    void add_search(FrameGraph& graph, const ShadowInputs& inputs, Texture& start,
-                    const Places& places) const;
+    void add_search(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
+                    Texture& start, const Places& places) const;
 };
 
 }  // namespace opacity::techniques

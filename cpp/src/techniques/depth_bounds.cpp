@@ -10,7 +10,7 @@
 namespace opacity::techniques {
 namespace {
 
-const float4 no_first{1.f}, no_last{0.f};  // where no caster is
+constexpr float no_first = 1.f, no_last = 0.f;  // where no caster is
 
 // `pick` takes the depth so far, and the fragment.
 template <class Pick>
@@ -24,23 +24,64 @@ std::function<void(PassContext&)> depth_on_cpu(const ShadowInputs& inputs, Textu
     };
 }
 
+using OnCpu = std::function<void(PassContext&)>;
+
+OnCpu first_on_cpu(const ShadowInputs& inputs, Texture& start, int depth_bits) {
+    return depth_on_cpu(inputs, start, [depth_bits](float depth, const Fragment& fragment) {
+        return std::min(depth, rounded_depth(fragment.depth, depth_bits));
+    });
+}
+
+OnCpu both_on_cpu(const ShadowInputs& inputs, const DepthBounds& bounds) {
+    return [inputs, bounds](PassContext& context) {
+        const auto starts = context.memory<float>(bounds.start);
+        const auto ends = context.memory<float>(bounds.end);
+        for_each_fragment(inputs.fragments(context, false), [&](const Fragment& fragment) {
+            float &first = starts[fragment.texel], &last = ends[fragment.texel];
+            first = std::min(first, fragment.depth);
+            last = std::max(last, fragment.depth_end);
+        });
+    };
+}
+
+Defines bits_define(int depth_bits) {
+    if (depth_bits == 32) return {};
+    return {{"DEPTH_BITS", std::to_string(depth_bits)}};
+}
+
+// A pass that scatters into maps of these depths, and fills them first.
+struct Filled {
+    Texture& depth;
+    float none;
+};
+void add_scattered_depths(FrameGraph& graph, const Scatter& scatter, const std::string& name,
+                          const std::vector<Filled>& maps, Defines defines) {
+    std::vector<Resource*> stores;
+    for (const Filled& map : maps) stores.push_back(&map.depth);
+    graph.add({.name = name,
+               .shader = scatter.shader("scatter_bounds.glsl", false, std::move(defines)),
+               .draws = &scatter.inputs().translucent,
+               .view = &scatter.inputs().light,
+               .reads = scatter.reads(false),
+               .stores = std::move(stores),
+               .execute = [scatter, maps](PassContext& context) {
+                   for (const Filled& map : maps) context.fill(map.depth, map.none);
+                   context.note(scatter.run(context));
+               }});
+}
+
 }  // namespace
 
 Texture& add_first_depth(FrameGraph& graph, const ShadowInputs& inputs, int depth_bits) {
     Texture& start = graph.texture("start", inputs.map(Format::depth32f));
-    Defines defines;
-    if (depth_bits < 32) defines.emplace_back("DEPTH_BITS", std::to_string(depth_bits));
-    const auto first = [depth_bits](float depth, const Fragment& fragment) {
-        return std::min(depth, rounded_depth(fragment.depth, depth_bits));
-    };
     graph.add({.name = "start_depth",
-               .shader = inputs.caster_shader("bounds.frag.glsl", false, std::move(defines)),
+               .shader = inputs.caster_shader("bounds.frag.glsl", false, bits_define(depth_bits)),
                .draws = &inputs.translucent,
                .view = &inputs.light,
                .reads = inputs.caster_reads(false),
                .writes = {&start},
                .state = {.depth = Depth::less, .clear_depth = 1.f},
-               .on_cpu = depth_on_cpu(inputs, start, first)});
+               .on_cpu = first_on_cpu(inputs, start, depth_bits)});
     return start;
 }
 
@@ -103,18 +144,26 @@ DepthBounds add_both_depths(FrameGraph& graph, const ShadowInputs& inputs) {
                .draws = &inputs.translucent,
                .view = &inputs.light,
                .reads = inputs.caster_reads(false),
-               .writes = {{&start, 0, no_first}, {&end, 0, no_last}},
+               .writes = {{&start, 0, float4{no_first}}, {&end, 0, float4{no_last}}},
                .state = {.blend = Blend::bounds},
-               .on_cpu = [inputs, &start, &end](PassContext& context) {
-                   const auto starts = context.memory<float>(start);
-                   const auto ends = context.memory<float>(end);
-                   for_each_fragment(
-                       inputs.fragments(context, false), [&](const Fragment& fragment) {
-                           float &first = starts[fragment.texel], &last = ends[fragment.texel];
-                           first = std::min(first, fragment.depth);
-                           last = std::max(last, fragment.depth_end);
-                       });
-               }});
+               .on_cpu = both_on_cpu(inputs, {start, end})});
+    return {start, end};
+}
+
+Texture& scatter_first_depth(FrameGraph& graph, const Scatter& scatter, int depth_bits) {
+    const ShadowInputs& inputs = scatter.inputs();
+    Texture& start = graph.texture("start", inputs.map(Format::r32f));
+    add_scattered_depths(graph, scatter, "start_depth", {{start, no_first}},
+                         bits_define(depth_bits));
+    return start;
+}
+
+DepthBounds scatter_both_depths(FrameGraph& graph, const Scatter& scatter) {
+    const ShadowInputs& inputs = scatter.inputs();
+    Texture& start = graph.texture("start", inputs.map(Format::r32f));
+    Texture& end = graph.texture("end", inputs.map(Format::r32f));
+    add_scattered_depths(graph, scatter, "bounds", {{start, no_first}, {end, no_last}},
+                         {{"LAST_TOO", "1"}});
     return {start, end};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "opacity/technique.hpp"
+#include "techniques/scatter.hpp"
 
 namespace opacity::techniques {
 
@@ -20,5 +21,9 @@ struct DepthBounds {
 };
 // Both from one pass, which blends the least and the largest depth of each texel.
 DepthBounds add_both_depths(FrameGraph& graph, const ShadowInputs& inputs);
+
+// The same maps by a scatter: of the first depth, and of both.
+Texture& scatter_first_depth(FrameGraph& graph, const Scatter& scatter, int depth_bits = 32);
+DepthBounds scatter_both_depths(FrameGraph& graph, const Scatter& scatter);
 
 }  // namespace opacity::techniques

@@ -5,12 +5,37 @@
 #include <numbers>
 #include <utility>
 
+#include "opacity/core/error.hpp"
 #include "opacity/core/split.hpp"
 #include "techniques/histogram.hpp"
 #include "techniques/layers_on_cpu.hpp"
+#include "techniques/scattered_layers.hpp"
 
 namespace opacity::techniques {
 namespace {
+
+// A scatter takes longer for every texel, and less for every caster: about as long as blending
+// where there are so many texels for each of these (docs/performance.md).
+constexpr std::size_t texels_a_caster = 32;
+// Bytes of the fixed-point sums, beside those of the maps.
+constexpr std::size_t most_sum_bytes = std::size_t{1} << 30;
+
+struct Choosing {
+    bool scatters;
+    std::string why;
+};
+// `images`: how many sums a texel has at once.
+Choosing choose_deposit(const ShadowInputs& inputs, const std::string& accumulator, int images) {
+    if (accumulator != "float32") return {false, "accumulator is " + accumulator};
+    const std::size_t texels = std::size_t(inputs.space.width_px()) * inputs.space.height_px();
+    const std::size_t casters = small_caster_count(inputs.translucent);
+    const std::size_t sum_bytes = 4 * texels * std::size_t(images);
+    if (sum_bytes > most_sum_bytes)
+        return {false, "sums would take " + std::to_string(sum_bytes >> 20) + " MiB"};
+    return {casters * texels_a_caster >= texels, std::to_string(casters) +
+                                                     " segments and particles for " +
+                                                     std::to_string(texels) + " texels"};
+}
 
 // Of the passes and of the look-up.
 Defines layer_defines(const DrawnLayers& drawn) {
@@ -40,8 +65,29 @@ int Layered::accumulator_bits() const {
     return accumulator.is("unorm8") ? 8 : accumulator.is("float16") ? 16 : 32;
 }
 
+Layered::DepositWay Layered::deposit_way(FrameGraph& graph, const ShadowInputs& inputs) const {
+    if (deposit.is("scatter") && !accumulator.is("float32"))
+        throw ParameterError(
+            name() + ".deposit = scatter sums in fixed point, not in " + accumulator.get(),
+            "set accumulator to float32, or deposit to blend");
+    if (!graph.runs_shaders()) return {};  // in C++ a fragment is added once in any case
+    const int fine = fine_layer_count(inputs.space.width_px());
+    Choosing chosen{deposit.is("scatter"), "as asked for"};
+    if (deposit.is("auto"))
+        chosen = choose_deposit(inputs, accumulator.get(), std::max(2 * layers.get(), fine));
+    if (!chosen.scatters) return {std::nullopt, chosen.why};
+    return {Scatter{graph, inputs, std::max(layers.get(), fine)}, chosen.why};
+}
+
+LayerSpan Layered::add_bounds(FrameGraph& graph, const ShadowInputs& inputs,
+                              const DepositWay& way) {
+    const DepthBounds both =
+        way.scatter ? scatter_both_depths(graph, *way.scatter) : add_both_depths(graph, inputs);
+    return {&both.start, &both.end};
+}
+
 DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
-                                const LayerSpan& span, Planes& planes,
+                                const DepositWay& way, const LayerSpan& span, Planes& planes,
                                 const Options& options) const {
     const Format format = accumulator.is("unorm8")    ? Format::rgba8
                           : accumulator.is("float16") ? Format::rgba16f
@@ -62,12 +108,12 @@ DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
         drawn.kappa = &graph.value("kappa", 0.f);
         drawn.kappa->set(float(options.kappa));
     }
-    add_passes(graph, inputs, drawn, layers, 1);
+    add_passes(graph, inputs, way, drawn, layers, 1);
     return drawn;
 }
 
 DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs,
-                                   const LayerSpan& span, double split_ratio,
+                                   const DepositWay& way, const LayerSpan& span, double split_ratio,
                                    bool in_all_texels) const {
     const int count = fine_layer_count(inputs.space.width_px());
     auto& fine_layers = graph.value("fine/layers", 0);
@@ -83,26 +129,42 @@ DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs
         desc.width = kept.packed_px(desc.width), desc.height = kept.packed_px(desc.height);
     DrawnLayers drawn{graph.texture("histogram", desc), fine_planes, span};
     drawn.kept = kept;
-    add_passes(graph, inputs, drawn, fine_layers, blocks.stride);
+    add_passes(graph, inputs, way, drawn, fine_layers, blocks.stride);
     return drawn;
 }
 
-DrawnLayers Layered::add_trial(FrameGraph& graph, const ShadowInputs& inputs, const LayerSpan& span,
-                               Planes& planes, const Source& layer_count,
+DrawnLayers Layered::add_trial(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
+                               const LayerSpan& span, Planes& planes, const Source& layer_count,
                                const TilePlanes& tiles) const {
     const int count = int(planes.get().size()) - 1;
     const int targets = int(slot_of(count, false).target) + 1;
     DrawnLayers drawn{graph.texture("opacity", inputs.map(Format::rgba32f, targets)), planes, span};
     drawn.tiles = tiles;
-    add_passes(graph, inputs, drawn, layer_count, 1);
+    add_passes(graph, inputs, way, drawn, layer_count, 1);
     return drawn;
 }
 
-void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
-                         const Source& layer_count, int block_stride) const {
+void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
+                         const DrawnLayers& drawn, const Source& layer_count,
+                         int block_stride) const {
     Reads reads{&layer_count};
     drawn.add_to(reads);
-    reads = inputs.caster_reads(true, std::move(reads));
+    if (!way.scatter) {
+        reads = inputs.caster_reads(true, std::move(reads));
+        return add_blended(graph, inputs, way, drawn, reads, block_stride);
+    }
+    Defines defines = layer_defines(drawn);
+    defines.insert(defines.end(), {{"PASS_opacity", "1"},
+                                   {"SCATTERED", "1"},
+                                   {"PLANES", "i_" + drawn.map.shader_name()},
+                                   {"BLOCK_STRIDE", std::to_string(block_stride)}});
+    add_scattered_layers(graph, *way.scatter, drawn,
+                         way.scatter->shader(shader_path(), true, std::move(defines)),
+                         way.scatter->reads(true, std::move(reads)), way.why);
+}
+
+void Layered::add_blended(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
+                          const DrawnLayers& drawn, const Reads& reads, int block_stride) const {
     const int targets = drawn.map.desc().layers;
     // Only hardware has a limit.
     const int most_at_once = graph.runs_shaders() ? most_targets() : 2 * targets;
@@ -111,23 +173,23 @@ void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const Dr
     for (int first = 0; first < targets; first += most) {
         const int count = std::min(most, targets - first);
         const std::string number = first == 0 ? "" : "_" + std::to_string(first / most + 1);
+        const auto name = [&](const Texture& map) { return map.shader_name() + number; };
         add_pass(graph, inputs, drawn, {first, count, true, in_pairs},
-                 drawn.map.shader_name() + number, reads, block_stride);
+                 {name(drawn.map), way.why, reads, block_stride});
         if (drawn.moments && !in_pairs)
             add_pass(graph, inputs, drawn, {first, count, false, true},
-                     drawn.moments->shader_name() + number, reads, block_stride);
+                     {name(*drawn.moments), way.why, reads, block_stride});
     }
 }
 
 void Layered::add_pass(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& drawn,
-                       const LayerPart& part, const std::string& name, const Reads& reads,
-                       int block_stride) const {
+                       const LayerPart& part, const BlendedPass& pass) const {
     std::vector<Target> writes;
     Defines defines = layer_defines(drawn);
     defines.insert(defines.end(), {{"PASS_opacity", "1"},
                                    {"TARGETS", std::to_string(part.target_count)},
                                    {"FIRST_TARGET", std::to_string(part.first_target)},
-                                   {"BLOCK_STRIDE", std::to_string(block_stride)}});
+                                   {"BLOCK_STRIDE", std::to_string(pass.block_stride)}});
     const auto write = [&](Texture& map, const char* define) {
         defines.emplace_back(define, "1");
         for (int i = 0; i < part.target_count; ++i)
@@ -136,14 +198,19 @@ void Layered::add_pass(FrameGraph& graph, const ShadowInputs& inputs, const Draw
     if (part.planes) write(drawn.map, "WRITES_PLANES");
     if (part.moments) write(*drawn.moments, "WRITES_MOMENTS");
     const bool keeps_start = drawn.is_packed && part.planes && part.first_target == 0;
-    graph.add({.name = name,
+    graph.add({.name = pass.name,
                .shader = inputs.caster_shader(shader_path(), true, std::move(defines)),
                .draws = &inputs.translucent,
                .view = &inputs.light,
-               .reads = reads,
+               .reads = pass.reads,
                .writes = std::move(writes),
                .state = {.blend = Blend::add, .largest_alpha = keeps_start},
-               .on_cpu = layers_on_cpu(inputs, drawn, part, block_stride)});
+               .execute =
+                   [why = pass.why](PassContext& context) {
+                       context.draw();
+                       context.note("blend; " + why);
+                   },
+               .on_cpu = layers_on_cpu(inputs, drawn, part, pass.block_stride)});
 }
 
 Sweep Layered::layers_sweep(FrameGraph& graph, const ShadowInputs& inputs, const DrawnLayers& all,

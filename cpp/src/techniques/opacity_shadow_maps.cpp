@@ -25,13 +25,14 @@ DepthHistogram lost_light(const SampledTexels& texels) {
 }  // namespace
 
 LookUp OpacityShadowMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
+    const DepositWay way = deposit_way(graph, inputs);
     auto& planes = graph.value("planes", std::vector<float>{});
     if (slicing.is("density") && !inputs.translucent.shapes().empty())
-        add_slices(graph, inputs, planes);
+        add_slices(graph, inputs, way, planes);
     else
         planes.set(gamma_slices(layers.get(), slicing.is("gamma") ? gamma.get() : 1.0));
     const double full = kappa.is_auto() ? full_8_bits : kappa.get();
-    const DrawnLayers drawn = add_layers(graph, inputs, {}, planes, {.kappa = full});
+    const DrawnLayers drawn = add_layers(graph, inputs, way, {}, planes, {.kappa = full});
     const Interpolation between =
         interpolation.is("cubic") ? Interpolation::cubic : Interpolation::linear;
     LookUp look_up = layers_look_up(inputs, drawn, between);
@@ -42,9 +43,9 @@ LookUp OpacityShadowMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
 }
 
 void OpacityShadowMaps::add_slices(FrameGraph& graph, const ShadowInputs& inputs,
-                                   Planes& planes) const {
+                                   const DepositWay& way, Planes& planes) const {
     const SampledLayers sampled =
-        add_sampled_texels(graph, inputs, add_histogram(graph, inputs, {}, 0.0));
+        add_sampled_texels(graph, inputs, add_histogram(graph, inputs, way, {}, 0.0));
     graph.add({.name = "slices",
                .reads = {&sampled.texels, &sampled.drawn.planes, &layers},
                .values = {&planes},

@@ -6,10 +6,12 @@
 // casters are (1D BSP), or dense near the light (gamma).
 //
 // Cost: ceil(N / 32) blended passes into ceil(N / 4) RGBA32F layers, 16 ceil(N / 4) bytes a texel;
-// RGBA16F half of it, RGBA8 a quarter. Slicing by density, when the casters, their opacity or the
+// RGBA16F half of it, RGBA8 a quarter. By scatter one pass, whatever N is, and 4 N bytes a texel
+// more. Slicing by density, when the casters, their opacity or the
 // light changed: 2 more passes and one read-back. Look-up: 4 texels, 2 slices each (4 with cubic
 // interpolation), whatever N is. With buffers = "two" the casters are drawn N times, 16 bytes a
-// texel are all, and M points are asked once each in their slices: pseudo code, loops 2 to 4.
+// texel are all, and M points are asked once each in their slices: pseudo code, loops 2 to 4. These
+// are blended whatever the deposit.
 //
 // Fails: light that enters a slice fades from its front on, whatever lies there; where surfaces
 // slope toward the light each slice shows as a band, and neighbouring texels that begin at
@@ -63,7 +65,8 @@ class OpacityShadowMaps : public Layered {
                             "ln 2, where T is one step of 8 bits."};
 
    private:
-    void add_slices(FrameGraph& graph, const ShadowInputs& inputs, Planes& planes) const;
+    void add_slices(FrameGraph& graph, const ShadowInputs& inputs, const DepositWay& way,
+                    Planes& planes) const;
 };
 
 }  // namespace opacity::techniques
