@@ -11,9 +11,7 @@ out vec3 v_p_vs, v_p_ls, v_color;
 out vec3 v_axis_vs;  // the tangent of a strand, the normal of a surface
 
 #if defined(OWN_CORRECTION) || defined(TRANSLUCENT)
-layout(std430) readonly buffer b_opacity { float opacity[]; };
-uniform int u_opacity_stride;  // 0: one opacity for all
-float vertex_opacity(int vertex) { return opacity[vertex * u_opacity_stride]; }
+#include "lib/vertex_opacity.glsl"
 #endif
 
 #ifdef TRANSLUCENT
@@ -22,9 +20,7 @@ out float v_opacity;
 
 #ifdef OWN_CORRECTION
 // What the receiver itself leaves in the map: lib/receiver.glsl.
-uniform bool u_deposits;  // whether the opacity maps hold it
 out float v_own_opacity;
-float own_opacity(int vertex) { return u_deposits ? vertex_opacity(vertex) : 0.0; }
 #endif
 
 vec3 color_of(int vertex) {

@@ -27,6 +27,13 @@ struct RenderSettings : ParamOwner {
                        "papers; subsets: the mean of three, each of a third of the strands; sorted "
                        "by shape and primitive; exact: sorted lists; maps: without an order, by "
                        "maps of the camera's own; auto: maps where anything is translucent."};
+    Choice strand_look_up{
+        *this,
+        "strand_look_up",
+        {"auto", "per_sample", "along_strands"},
+        "Where T of strands is looked up: at each sample of the picture; or along "
+        "the strands, every third texel of the light's map, and again only when "
+        "light or casters move; auto: along them where that is less."};
     Param<double> ambient{*this,
                           "ambient",
                           0.12,

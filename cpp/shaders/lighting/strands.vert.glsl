@@ -2,14 +2,20 @@
 #include "lib/segment.glsl"
 
 uniform float u_width_scale;
-uniform int u_segment_count;
+#ifdef OWN_CORRECTION
+#include "lib/light.glsl"
+#include "lib/ribbon.glsl"
+#endif
+#include "lib/strand_end.glsl"
 
-// Whether the strand goes on beyond the segment's root or tip.
-bool goes_on(int segment, bool at_tip) {
-    int neighbour = at_tip ? segment + 1 : segment - 1;
-    return neighbour >= 0 && neighbour < u_segment_count &&
-           int(segments[neighbour]) == int(segments[segment]) + (at_tip ? 1 : -1);
-}
+#ifdef ALONG_STRANDS
+// Where this segment's shadows stand (strand_shadows.comp.glsl): the first of them, and the steps from
+// its root to its tip.
+layout(std430) readonly buffer b_strand_places { ivec2 strand_places[]; };
+uniform int u_shape_index;
+flat out ivec2 v_strand_place;
+out float v_along;
+#endif
 
 // The mean direction of the segments that meet at an end of this one.
 vec3 tangent_at(int segment, int point, bool at_tip) {
@@ -23,33 +29,16 @@ vec3 tangent_at(int segment, int point, bool at_tip) {
 }
 
 #ifdef OWN_CORRECTION
-#include "lib/light.glsl"
-#include "lib/ribbon.glsl"
-
 flat out vec3 v_own_direction;
 out float v_own_width_texels;
 out vec2 v_own_ends;
 
-#ifdef LIGHT_FACES
-const float endless = 1e6;  // segments
-#else
-const float endless = endless_texels;
-#endif
-
-void tell_own_segment(int segment, int point, bool at_tip) {
-    int root = int(segments[segment]);
-    vec3 along = (u_light_from_local * vec4(points[root + 1].xyz - points[root].xyz, 0.0)).xyz;
-#ifdef LIGHT_FACES
-    float texels = 1.0;  // ends are told in segments: a face will know how long one is
-    v_own_direction = along;
-#else
-    float texels = max(abs(along.x), abs(along.y));
-    v_own_direction = texels > 0.0 ? along / texels : vec3(0.0);
-#endif
-    v_own_ends = vec2(goes_on(segment, false) ? -endless : at_tip ? -texels : 0.0,
-                      goes_on(segment, true) ? endless : at_tip ? 0.0 : texels);
-    v_own_width_texels = points[point].w * u_width_scale * u_light_texels_per_unit;
-    v_own_opacity = own_opacity(point);
+void tell_own_segment(int segment, bool at_tip) {
+    StrandEnd end = strand_end(segment, at_tip);
+    v_own_direction = end.direction;
+    v_own_ends = end.ends;
+    v_own_width_texels = end.width_texels;
+    v_own_opacity = end.opacity;
 }
 #endif
 
@@ -68,7 +57,12 @@ void main() {
     v_opacity = vertex_opacity(point);
 #endif
 #ifdef OWN_CORRECTION
-    tell_own_segment(segment, point, at_tip);
+    tell_own_segment(segment, at_tip);
+#endif
+#ifdef ALONG_STRANDS
+    ivec2 place = strand_places[u_shape_index];
+    v_strand_place = ivec2(place.x + segment * (place.y + 1), place.y);
+    v_along = corner.x;
 #endif
     gl_Position = u_camera_clip_from_view * vec4(v_p_vs, 1.0);
 }

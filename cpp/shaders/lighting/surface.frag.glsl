@@ -94,7 +94,7 @@ layout(location = 0) out vec4 o_surface;  // T, distance from the eye, index
 void main() {
     Receiver receiver = receiver_here();
     opacity_here();
-    float transmittance = u_receives ? shadow_transmittance(receiver) : 1.0;
+    float transmittance = u_receives ? transmittance_here(receiver) : 1.0;
     o_surface = vec4(transmittance, length(v_p_vs), float(u_shape_index), 1.0);
 }
 #else

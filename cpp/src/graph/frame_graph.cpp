@@ -96,9 +96,10 @@ void FrameGraph::check(const Pass& pass) const {
     const auto fail = [&](const std::string& problem, const std::string& fix) {
         throw ParameterError("pass \"" + pass.name + "\" " + problem, fix);
     };
-    if (pass.draws && (!pass.view || pass.shader.vertex.empty()))
-        fail("draws " + pass.draws->name() + " without a view or a vertex shader",
-             "set .view and .shader.vertex beside .draws");
+    const bool has_stage = !pass.shader.vertex.empty() || !pass.shader.compute.empty();
+    if (pass.draws && (!pass.view || !has_stage))
+        fail("draws " + pass.draws->name() + " without a view or a shader",
+             "set .view and .shader.vertex, or .shader.compute, beside .draws");
     if (!pass.draws && !pass.execute)
         fail("does nothing", "give it .draws, or .execute = [](PassContext&) { ... }");
     const Reads reads = all_reads(pass);

@@ -61,6 +61,7 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
     if (declared(pass, pass.draws->opacity)) {
         feed_buffer("opacity", gpu.opacity);
         feeder.uniform("u_opacity_stride", gpu.opacity_stride);
+        feeder.uniform("u_deposits", gpu.deposits);
     }
     if (declared(pass, pass.draws->color)) {
         feed_buffer("color", gpu.color);
@@ -68,7 +69,6 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
         feeder.uniform("u_color_stride", gpu.color_stride);
         feeder.uniform("u_receives", gpu.receives);
         feeder.uniform("u_opaque", gpu.opaque);
-        feeder.uniform("u_deposits", gpu.deposits);
     }
     if (pass.view) feed_view(feeder, *pass.view, gpu);
     for (const Source* read : pass.reads)

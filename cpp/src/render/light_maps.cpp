@@ -58,6 +58,7 @@ void LightMaps::add_passes(FrameGraph& graph, SceneLists& lists) {
     if (!scope_.empty()) scope.emplace(graph, scope_);
     casters_.collect();
     look_up_ = add_shadows(graph, lists);
+    is_shadowed_ = !look_up_.reads.empty();
     for (const Value<std::string>* chosen : {&chosen_size_, &chosen_technique_})
         if (!chosen->get().empty()) look_up_.reads.push_back(&add_choice(graph, lists, *chosen));
     look_up_.reads.push_back(&view_);  // lighting places every vertex in the light's map

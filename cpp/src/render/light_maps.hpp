@@ -41,6 +41,7 @@ class LightMaps {
     const View& view() const { return view_; }
     const LightSpace& space() const { return space_; }
     const ShadowLookUp& look_up() const { return look_up_; }
+    bool is_shadowed() const { return is_shadowed_; }  // else T = 1 without a look
     // The light's T at the receivers of a query, once the frame has run for `goal`.
     const Resource& transmittance_goal() const { return *transmittance_; }
     void ask(const Query& query);
@@ -68,6 +69,7 @@ class LightMaps {
     Value<std::string> chosen_size_, chosen_technique_;
     LightCasters casters_;
     ShadowLookUp look_up_;
+    bool is_shadowed_ = false;
     ShadowQuery query_;
     const Resource* transmittance_ = nullptr;
 };

@@ -43,7 +43,7 @@ Compositing compositing_of(const Choice& setting) {
 }
 
 const Resource& Picture::add(FrameGraph& graph, const PictureInputs& inputs) {
-    shading_.update(inputs);
+    shading_.add(graph, inputs);
     const SceneLists& lists = inputs.lists;
     const std::size_t lights = inputs.lights.size();
     Texture& image = graph.texture("image", picture_desc(inputs.settings));

@@ -58,6 +58,21 @@ void Shading::update(const PictureInputs& inputs) {
     }
 }
 
+void Shading::add(FrameGraph& graph, const PictureInputs& inputs) {
+    update(inputs);
+    strand_shadows_.begin_frame();
+    SceneLists& lists = inputs.lists;
+    for (std::size_t light = 0; light < inputs.lights.size(); ++light) {
+        const LightScope scope{graph, inputs, light};
+        const std::pair<const char*, DrawList*> seen[]{{"solid", &lists.solid},
+                                                       {"parted", &lists.parted},
+                                                       {"blended", &lists.blended},
+                                                       {"surfaces", &lists.surfaces}};
+        for (const auto& [name, list] : seen)
+            strand_shadows_.add(graph, inputs, name, light, *list);
+    }
+}
+
 Pass Shading::pass(const std::string& name, const PictureInputs& inputs, std::size_t light,
                    DrawList& shapes, bool opacity, Defines defines) const {
     const ShadowLookUp& look_up = inputs.lights[light]->look_up();
@@ -76,14 +91,16 @@ Pass Shading::pass(const std::string& name, const PictureInputs& inputs, std::si
     reads.insert(reads.end(), {&shapes.color, &lamps_[light].color, &ambient, &settings.specular,
                                &settings.shininess, &settings.wrap, &settings.backlight,
                                &settings.phase, &settings.shadow_intensity});
-    return {.name = name,
-            .shader = {.vertex = "lighting.vert.glsl",
-                       .fragment = "lighting.frag.glsl",
-                       .technique = look_up.shader,
-                       .defines = std::move(defines)},
-            .draws = &shapes,
-            .view = &camera_,
-            .reads = std::move(reads)};
+    Pass pass{.name = name,
+              .shader = {.vertex = "lighting.vert.glsl",
+                         .fragment = "lighting.frag.glsl",
+                         .technique = look_up.shader,
+                         .defines = std::move(defines)},
+              .draws = &shapes,
+              .view = &camera_,
+              .reads = std::move(reads)};
+    strand_shadows_.add_look_up(pass, light, shapes);
+    return pass;
 }
 
 Pass Shading::unlit_pass(const std::string& name, const std::string& fragment, DrawList& shapes,

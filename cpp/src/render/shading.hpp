@@ -4,27 +4,15 @@
 #include <deque>
 #include <memory>
 #include <optional>
-#include <span>
 
-#include "opacity/renderer.hpp"
-#include "render/light_maps.hpp"
+#include "render/strand_shadows.hpp"
 
 namespace opacity::render {
 
-struct PictureInputs {
-    const Scene& scene;
-    const Camera& camera;
-    const RenderSettings& settings;
-    const float4& background;
-    SceneLists& lists;
-    Compositing compositing;
-    std::span<const std::unique_ptr<LightMaps>> lights;  // at least one
-};
-
 class Shading {
    public:
-    // The camera and the lights as they are now.
-    void update(const PictureInputs& inputs);
+    // The camera and the lights as they are now, and the passes that those below read.
+    void add(FrameGraph& graph, const PictureInputs& inputs);
     const View& camera() const { return camera_; }
 
     // Draws the shapes of a list by one light; where its samples go is the caller's to add. With
@@ -41,8 +29,11 @@ class Shading {
         explicit Lamp(const std::string& scope);
         UniformSet color, ambient;
     };
+    void update(const PictureInputs& inputs);
+
     View camera_{"camera"};
     std::deque<Lamp> lamps_;  // one a light
+    StrandShadows strand_shadows_;
 };
 
 // Scopes the names of what belongs to one of several lights.

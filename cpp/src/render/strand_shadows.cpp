@@ -1,0 +1,141 @@
+#include "render/strand_shadows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "opacity/core/error.hpp"
+#include "scene/texel_side.hpp"
+
+namespace opacity::render {
+namespace {
+
+// Between two places, on the mean. Of 1 to 8 the largest at which total errors on hair are no
+// larger than per sample (docs/accuracy.md).
+constexpr double texels_a_step = 3.0;
+constexpr int most_steps = 64;
+constexpr std::size_t most_places = std::size_t{1} << 25;  // storage buffers may end at 128 MiB
+
+bool has_places(const Shape& shape) {
+    return dynamic_cast<const Strands*>(&shape) && shape.receives();
+}
+
+double mean_length(const Strands& strands) {
+    const Positions& points = strands.points();
+    double sum = 0.0;
+    for (const std::uint32_t i : strands.segments()) {
+        const double3 a = points[i], b = points[i + 1];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            sum += (b[axis] - a[axis]) * (b[axis] - a[axis]);
+    }
+    return strands.segments().empty() ? 0.0 : std::sqrt(sum / double(strands.segments().size()));
+}
+
+// Of a picture, in a unit of area at a distance from the eye.
+double samples_an_area(const PictureInputs& inputs, double distance) {
+    const double half_height =
+        distance * std::tan(inputs.camera.fov_deg() * std::numbers::pi / 360.0);
+    const double samples = inputs.settings.antialiasing.get() * inputs.settings.height.get();
+    const double per_length = samples / std::max(2.0 * half_height, 1e-30);
+    return per_length * per_length;
+}
+
+double distance(const double3& a, const double3& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+}  // namespace
+
+void StrandShadows::begin_frame() {
+    places_.clear();
+    known_lengths_ = std::exchange(lengths_, {});
+}
+
+double StrandShadows::segment_length(const Strands& strands) {
+    const Revision geometry = strands.revisions().geometry;
+    const auto known = known_lengths_.find(geometry);
+    const auto [found, is_new] = lengths_.try_emplace(geometry, 0.0);
+    if (is_new)
+        found->second = known != known_lengths_.end() ? known->second : mean_length(strands);
+    return found->second * strands.scale();
+}
+
+StrandShadows::Places StrandShadows::places_on(const DrawList& shapes, const LightSpace& space,
+                                               const PictureInputs& inputs) {
+    Places places;
+    for (const ShapePtr& shape : shapes.shapes()) {
+        const auto lock = shape->lock();
+        places.of_shapes.insert(places.of_shapes.end(),
+                                {int(std::min(places.count, most_places)), 0});
+        if (!has_places(*shape)) continue;
+        const auto& strands = dynamic_cast<const Strands&>(*shape);
+        const double3 middle = strands.bounds().center();
+        const double length = segment_length(strands), count = double(strands.segments().size());
+        const double steps = std::ceil(length / (texels_a_step * texel_side(space, middle)));
+        places.of_shapes.back() = int(std::clamp(steps, 1.0, double(most_steps)));
+        places.count += strands.segments().size() * std::size_t(places.of_shapes.back() + 1);
+        places.samples += count * length * strands.strand_width() *
+                          samples_an_area(inputs, distance(middle, inputs.camera.eye()));
+    }
+    return places;
+}
+
+bool StrandShadows::is_wanted(const RenderSettings& settings, const Places& places) {
+    if (settings.strand_look_up.is("per_sample") || places.count == 0) return false;
+    if (settings.strand_look_up.is("auto"))
+        return places.count <= most_places && double(places.count) <= places.samples;
+    if (places.count > most_places)
+        throw ParameterError("strand_look_up = along_strands needs " +
+                                 std::to_string(places.count) + " places, and a buffer holds " +
+                                 std::to_string(most_places),
+                             "set it to auto or per_sample, or lower map_size");
+    return true;
+}
+
+void StrandShadows::add(FrameGraph& graph, const PictureInputs& inputs, const std::string& name,
+                        std::size_t index, DrawList& shapes) {
+    const LightMaps& light = *inputs.lights[index];
+    // Nothing to look up, or in maps that move with the camera.
+    if (!light.is_shadowed() || !light.space().splits.empty()) return;
+    const Places found = places_on(shapes, light.space(), inputs);
+    if (!is_wanted(inputs.settings, found)) return;
+    const ShadowLookUp& look_up = light.look_up();
+    const FrameGraph::Scope scope{graph, name};
+    auto& of_shapes = graph.value("of_shapes", std::vector<int>{});
+    of_shapes.set(found.of_shapes);
+    Buffer &places = graph.buffer("strand_places"),
+           &transmittance = graph.buffer("strand_transmittance");
+    Pass pass{.name = "strand_shadows",
+              .shader = {.compute = "strand_shadows.comp.glsl",
+                         .technique = look_up.shader,
+                         .defines = look_up.defines},
+              .draws = &shapes,
+              .view = &light.view(),
+              .reads = look_up.reads,
+              .stores = {&places, &transmittance},
+              .execute = [&places, &transmittance, &of_shapes,
+                          count = found.count](PassContext& context) {
+                  context.resize(places, of_shapes.get().size() * sizeof(int));
+                  context.resize(transmittance, count * sizeof(float));
+                  context.write(places, std::as_bytes(std::span{of_shapes.get()}));
+                  context.dispatch_shapes(has_places);
+                  context.note(std::to_string(count) + " places");
+              }};
+    pass.reads.push_back(&of_shapes);
+    if (look_up.own_correction) {
+        pass.shader.defines.emplace_back("OWN_CORRECTION", "1");
+        pass.reads.push_back(&shapes.opacity);
+    }
+    graph.add(std::move(pass));
+    places_.emplace(std::pair{index, &shapes}, Buffers{places, transmittance});
+}
+
+void StrandShadows::add_look_up(Pass& pass, std::size_t light, const DrawList& shapes) const {
+    const auto found = places_.find({light, &shapes});
+    if (found == places_.end()) return;
+    pass.shader.defines.emplace_back("ALONG_STRANDS", "1");
+    pass.reads.insert(pass.reads.end(), {&found->second.places, &found->second.transmittance});
+}
+
+}  // namespace opacity::render
