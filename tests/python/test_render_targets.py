@@ -18,19 +18,21 @@ def passes(renderer: po.Renderer, texture: str) -> int:
 @pytest.mark.parametrize("device", DEVICES)
 @pytest.mark.parametrize("interpolation", ["linear", "mean_depth"])
 def test_T_is_the_same_in_more_passes(device: str, interpolation: str) -> None:
-    """18 layers are five images of four planes, and with mean depths ten."""
+    """18 layers are five images of four planes, and with mean depths ten; memory has no limit."""
     scene, strands = hair(2000)
     technique = po.technique(MAPS, layers=18, interpolation=interpolation, deposit="blend")
     expected = {0: 1, 8: 1, 4: 2, 2: 3, 1: 5}
     if interpolation == "mean_depth":
         expected = {0: 2, 8: 2, 4: 3, 2: 5, 1: 10}
+    if device == "cpu":
+        expected = dict.fromkeys(expected, 1)
     found = {}
     with po.Renderer(scene, technique=technique, device=device, map_size=64) as renderer:
         for targets, count in expected.items():
             technique.render_targets = targets
             found[targets] = renderer.transmittance(strands)
             assert passes(renderer, "opacity") + passes(renderer, "moments") == count
-            assert passes(renderer, "histogram") == 16 // (targets or 8)
+            assert passes(renderer, "histogram") == (1 if device == "cpu" else 16 // (targets or 8))
     for T in found.values():
         assert np.array_equal(T, found[0])
 
