@@ -147,11 +147,17 @@ def test_the_difference_of_depth_and_total_is_what_they_are_measured_against(
 @pytest.mark.gl
 def test_costs_are_those_of_the_maps(scene: po.Scene) -> None:
     names = ("unshadowed", "opacity_shadow_maps", "deep_opacity_maps", "density_clustering")
+    plan: dict[str, Any] = {
+        "techniques": names,
+        "layers": (4, 16),
+        "parameters": {"deposit": "blend"},
+    }
     found = {
         (one.variant.technique, one.variant.parameters.get("layers")): one.cost
-        for one in results_of(scene, map_sizes=(32,), techniques=names, layers=(4, 16))
+        for one in results_of(scene, map_sizes=(32,), **plan)
     }
-    # 4 bytes each: a depth of opaque casters, which every shadow needs, and the layers.
+    # 4 bytes each: a depth of opaque casters, which every shadow needs, and the layers. A scatter
+    # would keep its sums beside these.
     free = found["unshadowed", None]
     slices = [found["opacity_shadow_maps", n] for n in (4, 16)]
     assert [one.bytes_per_texel - free.bytes_per_texel for one in slices] == [4 + 16, 4 + 64]

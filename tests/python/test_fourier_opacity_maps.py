@@ -190,11 +190,16 @@ def test_nothing_is_not_a_number(basis: str) -> None:
 # ---- what the paper says of it ----
 
 
+@pytest.mark.gl
 def test_passes_grow_as_those_of_slices_do() -> None:
+    blended = {"deposit": "blend"}
     for count, passes in ((3, 1), (32, 1), (33, 2), (63, 2)):
         found = []
-        for name, parameters in ((FOM, {"coefficients": count}), (OSM, {"layers": count})):
-            with renderer(between_0_and_10(), name=name, **parameters) as r:
+        for name, parameters in (
+            (FOM, {"coefficients": count}),
+            (OSM, {"layers": count} | blended),
+        ):
+            with renderer(between_0_and_10(), "gpu", name, **parameters) as r:
                 r.transmittance(np.zeros((1, 3)))
                 rows = [row.name for row in r.report if row.status == "ran"]
                 found.append([row for row in rows if row.startswith(name)])

@@ -33,11 +33,12 @@ def behind(scene: po.Scene, **parameters: object) -> float:
     return float(po.transmittance(scene, np.array([[0.1, 0.2, -90.0]]), technique, 32)[0])
 
 
+@pytest.mark.gl
 def test_passes_grow_with_slices_and_hold_32() -> None:
     for layers, passes in ((1, 1), (32, 1), (33, 2), (500, 16)):
         scene = sheets(0.3, 0.4)
-        with po.Renderer(scene, device="cpu", map_size=8, technique=OSM) as renderer:
-            renderer.technique.layers = layers
+        slices = po.technique(OSM, layers=layers, deposit="blend")
+        with po.Renderer(scene, map_size=8, technique=slices) as renderer:
             renderer.transmittance(scene.shapes[1])
             ran = [row.name for row in renderer.report if row.name.startswith(f"{OSM}/opacity")]
             assert len(ran) == passes

@@ -45,9 +45,10 @@ def test_the_closed_form_is_better_than_the_table_of_many_layers() -> None:
 @pytest.mark.gl
 def test_shaders_lay_the_same_planes_as_the_cpu() -> None:
     scene = po.Scene(po.load("demo:hair?segments=4000"), po.DirectionalLight(LIGHT))
+    planes = {"split": "logarithmic", "deposit": "blend"}
     T = []
     for device in ("cpu", "gpu"):
-        technique = po.technique(MAPS, paper_lut=True, layers=32, split="logarithmic")
+        technique = po.technique(MAPS, paper_lut=True, layers=32, **planes)
         with po.Renderer(scene, technique=technique, device=device, map_size=64) as used:
             T.append(used.transmittance(scene.shapes[0]))
     assert np.abs(T[0] - T[1]).max() < 1e-5

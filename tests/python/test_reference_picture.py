@@ -32,6 +32,7 @@ def test_with_a_techniques_own_light_it_is_its_picture(scene: po.Scene, techniqu
     parts = picture_parts(scene, camera, (48, 32), 2)
     shadows = impersonal(technique, bias=0.05)  # points know no strand of their own
     settings: dict[str, Any] = {"map_size": 64, "antialiasing": 2, "compositing": "opaque"}
+    settings["strand_look_up"] = "per_sample"
     with po.Renderer(scene, camera, (48, 32), shadows, **settings) as renderer:
         T = renderer.transmittance(parts.points)
         assert np.abs(parts.shaded(T) - renderer.render()).max() < 1e-4

@@ -138,6 +138,7 @@ def test_the_registry_names_every_technique_once() -> None:
     shared |= {"depth_bounds", "own_corrected", "clusters_on_cpu", "texel_spans"}
     shared |= {"coefficient_maps", "coefficients_on_cpu", "prefilter"}
     shared |= {"bounded_layers", "transmittance_planes"}
+    shared |= {"scatter", "scattered_layers", "caster_sizes"}
     shared |= {"plugin", "scripted_technique", "description_check", "description_words"}
     for place, suffix in (
         (folder, ".hpp"),
