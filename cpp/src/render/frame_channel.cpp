@@ -5,6 +5,14 @@
 #include "render/first_surfaces.hpp"
 
 namespace opacity::render {
+namespace {
+
+CameraView view_of(const FrameInputs& inputs) {
+    const RenderSettings& settings = inputs.settings;
+    return {inputs.camera, double(settings.width.get()) / settings.height.get()};
+}
+
+}  // namespace
 
 void FrameChannel::fit_lights(const FrameInputs& inputs, const Box& query, std::size_t asked) {
     const auto& lights = inputs.scene.lights();
@@ -15,7 +23,7 @@ void FrameChannel::fit_lights(const FrameInputs& inputs, const Box& query, std::
         lights_.push_back(std::make_unique<LightMaps>(scope));
     }
     const RenderSettings& settings = inputs.settings;
-    const CameraView camera{inputs.camera, double(settings.width.get()) / settings.height.get()};
+    const CameraView camera = view_of(inputs);
     for (std::size_t i = 0; i < count; ++i)
         lights_[i]->fit(inputs.scene, lights.empty() ? nullptr : lights[i].get(),
                         {inputs.technique, settings.map_size, settings.steady}, camera,
@@ -28,7 +36,7 @@ void FrameChannel::declare(FrameGraph& graph, Device& device, const FrameInputs&
     const Compositing compositing =
         device.runs_shaders() ? compositing_of(inputs.settings.compositing) : Compositing::opaque;
     lists_.update_casters(inputs.scene);
-    lists_.update_seen(inputs.scene, compositing, inputs.camera.eye());
+    lists_.update_seen(inputs.scene, compositing, view_of(inputs));
     fit_lights(inputs, query, asked);
     for (const auto& light : lights_) light->add_passes(graph, lists_);
     const PictureInputs picture{inputs.scene, inputs.camera, inputs.settings, inputs.background,

@@ -46,10 +46,15 @@ void SceneLists::update_casters(const Scene& scene) {
     opaque.update(std::move(opaque_casters));
 }
 
-void SceneLists::update_seen(const Scene& scene, Compositing compositing, const double3& eye) {
+void SceneLists::update_seen(const Scene& scene, Compositing compositing, const CameraView& view) {
     std::vector<ShapePtr> with_surface, solids, in_parts, blends;
+    out_of_view = 0;
     for (const ShapePtr& shape : scene.shapes()) {
         const auto lock = shape->lock();
+        if (is_out_of_view(view, shape->bounds())) {
+            ++out_of_view;
+            continue;
+        }
         const bool medium = is_medium(*shape);
         if (!medium) with_surface.push_back(shape);
         if (compositing == Compositing::opaque && !medium)
@@ -64,7 +69,7 @@ void SceneLists::update_seen(const Scene& scene, Compositing compositing, const 
             blends.push_back(shape);
     }
     const bool in_order = compositing != Compositing::exact && compositing != Compositing::maps;
-    if (in_order) sort_by_distance(blends, eye);
+    if (in_order) sort_by_distance(blends, view.camera.eye());
     surfaces.update(std::move(with_surface));
     solid.update(std::move(solids));
     parted.update(std::move(in_parts));

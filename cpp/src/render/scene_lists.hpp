@@ -5,6 +5,7 @@
 
 #include "opacity/graph/draw_list.hpp"
 #include "opacity/scene/scene.hpp"
+#include "scene/view_frustum.hpp"
 
 namespace opacity::render {
 
@@ -22,8 +23,9 @@ struct SceneLists {
     DrawList blended{"translucent shapes"};
 
     void update_casters(const Scene& scene);
-    // The blended ones in an order have the farthest first.
-    void update_seen(const Scene& scene, Compositing compositing, const double3& eye);
+    // What is out of view is in no list. The blended ones in an order have the farthest first.
+    void update_seen(const Scene& scene, Compositing compositing, const CameraView& view);
+    std::size_t out_of_view = 0;  // shapes
 };
 
 }  // namespace opacity::render

@@ -100,6 +100,12 @@ Pass Shading::pass(const std::string& name, const PictureInputs& inputs, std::si
               .view = &camera_,
               .reads = std::move(reads)};
     strand_shadows_.add_look_up(pass, light, shapes);
+    if (const std::size_t hidden = inputs.lists.out_of_view; hidden > 0)
+        pass.execute = [hidden, all = inputs.scene.shapes().size()](PassContext& context) {
+            context.draw();
+            context.note(std::to_string(hidden) + " of " + std::to_string(all) +
+                         " shapes out of view");
+        };
     return pass;
 }
 

@@ -83,6 +83,24 @@ Hexahedron frustum_of(const CameraView& view, double near, double far) {
     return corners;
 }
 
+bool is_out_of_view(const CameraView& view, const Box& box) {
+    constexpr double rounding = 1e-5;  // of how far a corner is; a rasteriser is coarser than this
+    const double4x4 to_view = view.camera.view_from_world();
+    const double tangent = std::tan(view.camera.fov_deg() * std::numbers::pi / 360.0);
+    std::array<bool, 5> beyond;
+    beyond.fill(true);
+    for (const double3& corner : corners_of(box)) {
+        const double3 p = transform_point(to_view, corner);
+        const double slack = rounding * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]));
+        const double half_height = -p[2] * tangent, half_width = half_height * view.aspect;
+        const double outside[5] = {p[2], p[0] - half_width, -p[0] - half_width, p[1] - half_height,
+                                   -p[1] - half_height};
+        for (std::size_t side = 0; side < beyond.size(); ++side)
+            beyond[side] = beyond[side] && outside[side] > slack;
+    }
+    return !box.empty() && std::ranges::any_of(beyond, [](bool all) { return all; });
+}
+
 std::vector<double3> common_corners(const Hexahedron& a, const Hexahedron& b) {
     std::vector<double3> corners;
     add_edges(a, b, corners);
