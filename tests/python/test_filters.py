@@ -205,3 +205,16 @@ def test_a_lit_ground_stays_lit_in_the_picture(needs_gl: None) -> None:
         picture = renderer.render()
         renderer.technique = "unshadowed"
         assert np.abs(picture - renderer.render()).max() < 1e-6
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("filter_domain", ["transmittance", "density"])
+@pytest.mark.parametrize("map_size", [2, 3, 5, 64])
+def test_rounding_makes_no_light(map_size: int, filter_domain: str) -> None:
+    """Weights are divided by their sum: 1 where nothing casts, also where a division rounds up."""
+    random = np.random.default_rng(0)
+    few = po.Particles(random.normal(size=(8, 3)), radius=0.1, opacity=0.3)
+    scene = po.Scene(few, po.DirectionalLight((0.3, 0.2, -1.0)))
+    slices = po.technique("opacity_shadow_maps", filter_domain=filter_domain)
+    with po.Renderer(scene, technique=slices, map_size=map_size) as renderer:
+        assert renderer.transmittance(random.normal(size=(20_000, 3))).max() == 1.0

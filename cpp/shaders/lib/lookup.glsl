@@ -134,9 +134,9 @@ float face_transmittance(Receiver receiver) {
 #ifdef DENSITY_FILTER
     // The density interpretation (Jansen and Bavoil 2010, section 6), of what no opaque caster hides.
     if (!(taps.lit > 0.0)) return 0.0;
-    return taps.lit / taps.weight * exp(-taps.optical_depth / taps.lit);
+    return min(taps.lit / taps.weight, 1.0) * exp(-taps.optical_depth / taps.lit);
 #else
-    return taps.transmittance / taps.weight;
+    return min(taps.transmittance / taps.weight, 1.0);  // a division may round up
 #endif
 }
 
@@ -165,7 +165,7 @@ float shadow_transmittance(Receiver receiver) {
         bool is_before = seen_by(face, receiver.p_ls).z > least_forward;
         sum += is_before ? face_transmittance(seen_through(face, receiver)) : counts_at(0.0) ? 1.0 : 0.0;
     }
-    return sum / float(eyes);
+    return min(sum / float(eyes), 1.0);
 #elif defined(LIGHT_SPLITS)
     return face_transmittance(seen_through(split_of(receiver), receiver));
 #else
