@@ -33,5 +33,10 @@ template <class T>
 T length(const Vector<T>& v) {
     return std::sqrt(dot(v, v));
 }
+// However far apart: no square overflows.
+template <class T>
+T distance(const Vector<T>& a, const Vector<T>& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 }  // namespace opacity

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector.hpp"
 #include "map/volume_slabs.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/particles.hpp"
@@ -15,10 +16,6 @@ namespace {
 
 // Means over all directions: of a length across the light, and of its extents along x and y.
 constexpr double seen_length = std::numbers::pi / 4.0, seen_extents = 1.0;
-
-double distance(const double3& a, const double3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 double3 cross_of(const double3& a, const double3& b, const double3& c) {
     const double3 u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};

@@ -61,6 +61,7 @@ void Shading::update(const PictureInputs& inputs) {
 void Shading::add(FrameGraph& graph, const PictureInputs& inputs) {
     update(inputs);
     strand_shadows_.begin_frame();
+    if (!graph.runs_shaders()) return;  // no pictures either
     SceneLists& lists = inputs.lists;
     for (std::size_t light = 0; light < inputs.lights.size(); ++light) {
         const LightScope scope{graph, inputs, light};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/vector.hpp"
 #include "opacity/scene/mesh.hpp"
 
 namespace opacity::render {
@@ -27,10 +28,6 @@ SlabRange range_of(const DepthRange& depths, std::span<const float> planes) {
 
 // How far a rasteriser, which moves corners, may set surfaces off that the light grazes.
 constexpr double margin_texels = 8.0;
-
-double distance(const double3& a, const double3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 // From the eye of a face to the nearest and the farthest place in a box of light coordinates.
 DepthRange depths_through(const LightFace& face, const Box& box) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "core/vector.hpp"
 #include "opacity/core/error.hpp"
 #include "scene/texel_side.hpp"
 
@@ -39,10 +40,6 @@ double samples_an_area(const PictureInputs& inputs, double distance) {
     const double samples = inputs.settings.antialiasing.get() * inputs.settings.height.get();
     const double per_length = samples / std::max(2.0 * half_height, 1e-30);
     return per_length * per_length;
-}
-
-double distance(const double3& a, const double3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/vector.hpp"
 #include "opacity/scene/strands.hpp"
 #include "scene/bias.hpp"
 
@@ -59,10 +60,6 @@ class Occupancy {
     std::size_t cells_;
     std::vector<bool> held_;
 };
-
-double distance(const double3& a, const double3& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 // Calls visit(a, b) for both ends of every segment that casts, in the world.
 template <class Visit>
