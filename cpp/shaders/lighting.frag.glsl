@@ -1,5 +1,6 @@
 // What the camera sees of a shape: light times what the maps let through, in one sample, or in
 // several along a ray through a medium.
+#include "lib/own_correction.glsl"
 #include "technique.glsl"
 #include "lib/lamp.glsl"
 #include "lib/samples.glsl"
@@ -8,7 +9,6 @@
 in vec3 v_p_vs, v_p_ls, v_color;
 in vec3 v_axis_vs;
 
-uniform bool u_receives;
 uniform float u_receiver_width;  // world units: a strand does not shadow its own neighbourhood
 uniform float u_shadow_intensity;
 
@@ -30,8 +30,11 @@ float transmittance_here(Receiver receiver) { return shadow_transmittance(receiv
 // What arrives, shadowed. What gets no light needs no look-up.
 vec3 shadowed(Arriving arriving, bool faces_light, Receiver receiver) {
     if (!faces_light || arriving.light == vec3(0.0)) return vec3(0.0);
-    if (!u_receives) return arriving.light;
+#ifdef RECEIVES
     return mix(1.0, transmittance_here(receiver), u_shadow_intensity) * arriving.light;
+#else
+    return arriving.light;
+#endif
 }
 
 #if defined(PARTICLES)

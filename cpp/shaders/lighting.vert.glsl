@@ -1,4 +1,5 @@
 // Shapes as the camera sees them.
+#include "lib/own_correction.glsl"
 invariant gl_Position;  // every pass from the camera sees the same fragment in front
 uniform mat4 u_camera_from_local;
 uniform mat4 u_camera_clip_from_view;

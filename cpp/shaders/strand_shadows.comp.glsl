@@ -1,5 +1,6 @@
 // T along strands, at places some texels of the light's map apart: one invocation a segment. C++:
 // render/strand_shadows.hpp.
+#include "lib/own_correction.glsl"
 #include "lib/invocation.glsl"
 #include "technique.glsl"
 #include "lib/segment.glsl"

@@ -37,7 +37,7 @@ StrandEnd strand_end(int segment, bool at_tip) {
     end.ends = vec2(goes_on(segment, false) ? -endless : at_tip ? -texels : 0.0,
                     goes_on(segment, true) ? endless : at_tip ? 0.0 : texels);
     end.width_texels = points[point].w * u_width_scale * u_light_texels_per_unit;
-    end.opacity = own_opacity(point);
+    end.opacity = vertex_opacity(point);
     return end;
 }
 #endif

@@ -20,7 +20,7 @@ void main() {
     v_uv = uvs[gl_VertexID];
 #endif
 #ifdef OWN_CORRECTION
-    v_own_opacity = own_opacity(gl_VertexID);
+    v_own_opacity = vertex_opacity(gl_VertexID);
 #endif
     gl_Position = u_camera_clip_from_view * vec4(v_p_vs, 1.0);
 }

@@ -1,8 +1,4 @@
 // Strands and triangles.
-#ifdef MESH
-uniform bool u_opaque;
-#endif
-
 #ifdef TRANSLUCENT
 in float v_opacity;
 #endif
@@ -65,7 +61,9 @@ Receiver receiver_here() {
 #endif
 #ifdef MESH
     receiver.on_surface = true;
-    receiver.on_triangle = u_opaque;
+#ifdef OPAQUE
+    receiver.on_triangle = true;
+#endif
     receiver.direction = surface_direction(dFdx(v_p_ls), dFdy(v_p_ls));
 #endif
     return receiver;
@@ -80,10 +78,12 @@ vec3 shaded(vec3 color, Receiver receiver) {
 #else
     // Real meshes have holes: whoever looks through one sees the inside lit as an inside.
     vec3 normal = dot(axis, to_eye) < 0.0 ? -axis : axis;
-    bool faces_light = !u_opaque || dot(normal, arriving.to_light) > -u_wrap;
-    vec3 light = shadowed(arriving, faces_light, receiver);
-    return u_opaque ? shade_surface(color, normal, arriving.to_light, to_eye, light)
-                    : shade_translucent(color, normal, arriving.to_light, light);
+#ifdef OPAQUE
+    bool faces_light = dot(normal, arriving.to_light) > -u_wrap;
+    return shade_surface(color, normal, arriving.to_light, to_eye, shadowed(arriving, faces_light, receiver));
+#else
+    return shade_translucent(color, normal, arriving.to_light, shadowed(arriving, true, receiver));
+#endif
 #endif
 }
 
@@ -94,7 +94,10 @@ layout(location = 0) out vec4 o_surface;  // T, distance from the eye, index
 void main() {
     Receiver receiver = receiver_here();
     opacity_here();
-    float transmittance = u_receives ? transmittance_here(receiver) : 1.0;
+    float transmittance = 1.0;
+#ifdef RECEIVES
+    transmittance = transmittance_here(receiver);
+#endif
     o_surface = vec4(transmittance, length(v_p_vs), float(u_shape_index), 1.0);
 }
 #else

@@ -61,14 +61,11 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
     if (declared(pass, pass.draws->opacity)) {
         feed_buffer("opacity", gpu.opacity);
         feeder.uniform("u_opacity_stride", gpu.opacity_stride);
-        feeder.uniform("u_deposits", gpu.deposits);
     }
     if (declared(pass, pass.draws->color)) {
         feed_buffer("color", gpu.color);
         feed_texture("color_map", gpu.color_map);
         feeder.uniform("u_color_stride", gpu.color_stride);
-        feeder.uniform("u_receives", gpu.receives);
-        feeder.uniform("u_opaque", gpu.opaque);
     }
     if (pass.view) feed_view(feeder, *pass.view, gpu);
     for (const Source* read : pass.reads)

@@ -77,6 +77,21 @@ const char* define_of(const Shape& shape) {
     return dynamic_cast<const Volume*>(&shape) ? "VOLUME" : "MESH";
 }
 
+// Whether the opacity maps hold what own_correction takes out.
+bool deposits(const Shape& shape) {
+    const auto* mesh = dynamic_cast<const Mesh*>(&shape);
+    return shape.is_caster() && !shape.opaque() && !(mesh && mesh->has_alpha());
+}
+
+Defines defines_of(const Shape& shape) {
+    const bool is_body = dynamic_cast<const Mesh*>(&shape) && shape.opaque();
+    Defines defines{{define_of(shape), "1"}};
+    if (is_body) defines.emplace_back("OPAQUE", "1");
+    if (shape.receives()) defines.emplace_back("RECEIVES", "1");
+    if (deposits(shape)) defines.emplace_back("DEPOSITS", "1");
+    return defines;
+}
+
 // What lies beside the points in a buffer of four floats each.
 const std::vector<float>& widths_of(const Shape& shape) {
     static const std::vector<float> none{0.f};
@@ -106,11 +121,8 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     gpu.shape = shape_ptr;
     gpu.transform = shape.transform();
     gpu.width_scale = float(shape.scale());
-    gpu.receives = shape.receives();
-    gpu.opaque = shape.opaque();
-    gpu.deposits = shape.is_caster() && !gpu.opaque;
     gpu.receiver_width = float(shape.strand_width());
-    gpu.defines = {{define_of(shape), "1"}};
+    gpu.defines = defines_of(shape);
     upload_geometry(gpu, shape);
     upload_appearance(gpu, shape);
     return gpu;
@@ -154,7 +166,6 @@ void GpuShapes::upload_mesh(GpuShape& gpu, const Mesh& mesh) {
         refresh(gpu.uvs, Part::uvs, now, [&] { return make_buffer(context_, mesh.uvs()); });
     if (!mesh.has_alpha()) return;
     gpu.defines.emplace_back("ALPHA_MAP", "1");
-    gpu.deposits = false;
     refresh(gpu.alpha, Part::alpha, now,
             [&] { return make_texture(context_, GL_R32F, coverage_levels(mesh)); });
 }

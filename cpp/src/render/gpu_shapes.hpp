@@ -31,7 +31,10 @@ struct GpuShape {
     GpuBuffer slabs;              // of a volume: map/volume_slabs.hpp
     GpuTexture alpha, color_map;  // of a mesh, with levels; coverage in place of alpha
     GpuTexture extinction;        // of a volume, x first
-    Defines defines;              // STRANDS, MESH, PARTICLES or VOLUME; ALPHA_MAP
+    // STRANDS, MESH, PARTICLES or VOLUME; of a mesh OPAQUE, ALPHA_MAP, COLOR_MAP; RECEIVES;
+    // DEPOSITS where the opacity maps hold what own_correction takes out. Told as defines, so that
+    // what a shape does not need is not in its programs.
+    Defines defines;
     int segment_count = 0, index_count = 0;
     int quad_count = 0;  // of strands and particles: one a caster
     int opacity_stride = 0, color_stride = 0;
@@ -42,8 +45,6 @@ struct GpuShape {
     float width_scale = 1.f;
     int profile = 0;             // of particles: DensityProfile
     float receiver_width = 0.f;  // world units; 0 for a surface
-    bool receives = true, opaque = false;
-    bool deposits = false;  // whether the opacity maps hold what own_correction takes out
 };
 
 class GpuShapes {
