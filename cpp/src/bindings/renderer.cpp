@@ -100,7 +100,7 @@ py::tuple report(const Renderer& self) {
     py::list rows;
     for (const PassReport& row : self.report())
         rows.append(py::make_tuple(text(row.name), to_string(row.status), text(row.why), row.ms,
-                                   text(row.note)));
+                                   text(row.note), row.calls));
     return py::make_tuple(rows, text(to_string(self.report())));
 }
 

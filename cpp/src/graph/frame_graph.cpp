@@ -205,13 +205,15 @@ PassReport FrameGraph::step(const Pass& pass, bool needed) {
     const std::string why = last == records_.end() ? "first run" : why_again(last->second, now);
     if (interrupt_check_) interrupt_check_();
     records_.erase(pass.name);  // forgotten first: a pass that throws stays to be run
+    const std::size_t calls_before = device_.calls();
     const auto start = std::chrono::steady_clock::now();
     now.note = execute(pass, empty);
     device_.finish();
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;
-    PassReport row{pass.name, empty ? Status::culled : Status::ran, empty ? no_shapes : why,
-                   elapsed.count(), now.note};
+    PassReport row{
+        pass.name, empty ? Status::culled : Status::ran, empty ? no_shapes : why, elapsed.count(),
+        now.note,  device_.calls() - calls_before};
     records_[pass.name] = std::move(now);
     return row;
 }

@@ -248,6 +248,7 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
     gl().VertexArrayElementBuffer(vertex_array_.name(), indices.buffer);
     const int instances = std::max(1, pass.view->faces());
     gl().DrawElementsInstanced(GL_TRIANGLES, indices.count, GL_UNSIGNED_INT, nullptr, instances);
+    ++calls_;
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {
@@ -261,6 +262,7 @@ void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Unifo
     feeder.require_complete(pass);
     gl().UseProgram(shader.name());
     gl().DispatchCompute(GLuint(groups[0]), GLuint(groups[1]), GLuint(groups[2]));
+    ++calls_;
     gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl::check_errors(*context_, "computing pass " + pass.name);
 }
@@ -280,6 +282,7 @@ void GlDevice::dispatch_shapes(const Pass& pass, const ShapeFilter& wanted) {
         const auto [columns, rows, one] = work_groups(gpu.quad_count);
         gl().DispatchCompute(GLuint(columns), GLuint(rows),
                              GLuint(std::max(1, pass.view->faces())));
+        ++calls_;
     }
     gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl::check_errors(*context_, "computing the shapes of pass " + pass.name);
@@ -297,6 +300,7 @@ void GlDevice::resolve(const Pass& pass) {
                               0, GL_WRITE_ONLY, image.texture.internal_format());
         gl().UseProgram(shader.name());
         gl().DispatchCompute(GLuint(desc.width + 7) / 8, GLuint(desc.height + 7) / 8, 1);
+        ++calls_;
         gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     }
 }

@@ -39,6 +39,7 @@ class GlDevice : public Device {
     void write(const Resource& resource, std::span<const std::byte> content) override;
     void read(const Resource& resource, std::span<std::byte> content) override;
     void finish() override;
+    std::size_t calls() const override { return calls_; }
 
     void collect() override {
         shapes_.collect();
@@ -78,6 +79,7 @@ class GlDevice : public Device {
     // By shader and kind of shape; those of an older revision of the shaders are gone.
     std::map<std::pair<Shader, Defines>, std::unique_ptr<gl::Program>> programs_;
     Revision programs_revision_ = 0;
+    std::size_t calls_ = 0;
     gl::Framebuffer framebuffer_;
     gl::VertexArray vertex_array_;  // empty: shapes are pulled from storage buffers
 };

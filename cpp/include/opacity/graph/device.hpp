@@ -40,6 +40,8 @@ class Device {
     virtual void write(const Resource& resource, std::span<const std::byte> content) = 0;
     virtual void read(const Resource& resource, std::span<std::byte> content) = 0;
     virtual void finish() = 0;
+    // Draw calls and dispatches so far.
+    virtual std::size_t calls() const { return 0; }
 };
 
 // Groups for at least so many invocations of a shader that includes lib/invocation.glsl.

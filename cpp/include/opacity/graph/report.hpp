@@ -14,6 +14,7 @@ struct PassReport {
     std::string why = {};  // the reads that moved, or what made the pass unnecessary
     double ms = 0.0;
     std::string note = {};  // what the pass found when it ran last, such as the split ratio
+    std::size_t calls = 0;  // draw calls and dispatches of this frame; without OpenGL none
 };
 
 // A texture or buffer that the last frame needed.
