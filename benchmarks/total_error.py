@@ -18,6 +18,7 @@ import numpy as np
 from error_models import Bench, Model
 
 import pyopacity as po
+from pyopacity.comparison.truth import box_width
 from pyopacity.metrics import Errors
 
 MAP_SIZES = (128, 256, 512, 1024, 2048)
@@ -35,11 +36,6 @@ VARIANTS: dict[str, list[tuple[str, dict[str, Any]]]] = {
     "area": [("default", {}), ("`filter_radius` .87", {"filter_radius": FOOTPRINT_RADIUS})],
     "paper": [("paper deposit", {})],
 }
-
-
-def box_width(footprint: float, texel: float) -> float:
-    """Of the box that judges a footprint: texels have an extent of their own, and one is least."""
-    return float(np.sqrt(max(footprint**2 - texel**2, texel**2)))
 
 
 def header(first: str, last: str = "") -> None:

@@ -2,14 +2,12 @@
 
 import argparse
 import dataclasses
-import pathlib
-import shlex
-from typing import Any, Literal
+from typing import Any
 
 import pyopacity as po
-from pyopacity import _arrays, _native
-from pyopacity.cli import scene_options, text
-from pyopacity.comparison import Plan, Variant, available_device, compare
+from pyopacity import _native
+from pyopacity.cli import measure_options, scene_options, text
+from pyopacity.comparison import Plan, Variant, compare
 from pyopacity.comparison.results import Results
 
 # Of the renderer's settings, what the comparison itself decides.
@@ -21,7 +19,7 @@ def add_to(commands: Any) -> None:
     summary = "measure the errors of every technique on files"
     add = text.add_command(commands, "compare", run, summary).add_argument
     scene_options.add_files(add)
-    add("-o", "--output", required=True, metavar="DIR", help="index.html, results.csv, pictures")
+    measure_options.add_output(add, "index.html, results.csv, pictures")
     _add_techniques(add)
     _add_measures(add)
     scene_options.add_light_and_view(add)
@@ -53,13 +51,7 @@ def _add_techniques(add: Any) -> None:
 
 
 def _add_measures(add: Any) -> None:
-    add(
-        "--device",
-        default="auto",
-        metavar="NAME",
-        help="gpu; cpu, which needs no OpenGL and makes no pictures; auto: gpu where there is "
-        "OpenGL (default: auto)",
-    )
+    measure_options.add_device(add)
     add("--receivers", default="20000", metavar="N", help="vertices compared (default: 20000)")
     add("--seed", default="0", metavar="N", help="of their random choice (default: 0)")
     add("--samples", default="64", metavar="N", help="rays over each footprint (default: 64)")
@@ -75,17 +67,19 @@ def _add_measures(add: Any) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Everything that can be wrong is looked at before the first file is read."""
-    folder = _folder(arguments.output)
+    folder = measure_options.folder(arguments.output)
     plan = _plan(arguments)
     rows = len(plan.variants()) * len(plan.map_sizes)
     view = scene_options.View(arguments)
     lights = scene_options.lights(arguments)
 
-    plan = dataclasses.replace(plan, device=_device(arguments))
+    plan = dataclasses.replace(plan, device=measure_options.device(arguments))
 
     scene = scene_options.load(arguments)
     scene.add(lights)
-    results = Results(folder, plan, " + ".join(arguments.files), _command(arguments))
+    results = Results(
+        folder, plan, " + ".join(arguments.files), measure_options.command("compare", arguments)
+    )
 
     def tell(what: str) -> None:
         text.progress(f"row {len(results.rows) + 1} of {rows}: {what}")
@@ -116,7 +110,7 @@ def _plan(arguments: argparse.Namespace) -> Plan:
             raise po.ParameterError(f"--footprint {footprint} is outside 0..1e18", "choose another")
     return Plan(
         techniques=tuple(arguments.technique),
-        layers=_list("--layers", arguments.layers),
+        layers=measure_options.whole_numbers("--layers", arguments.layers),
         parameters=text.assignments("--param", arguments.param),
         map_sizes=map_sizes,
         receivers=text.whole("--receivers", arguments.receivers, 1, 10**8),
@@ -129,49 +123,8 @@ def _plan(arguments: argparse.Namespace) -> Plan:
     )
 
 
-def _list(option: str, given: str) -> tuple[int, ...]:
-    return tuple(text.whole(option, part, 1, 2**31 - 1) for part in given.split(","))
-
-
 def _map_size(part: str) -> int | str:
     return part if part == "auto" else text.whole("--map-size", part, 1, 2**31 - 1)
-
-
-def _device(arguments: argparse.Namespace) -> Literal["gpu", "cpu"]:
-    """What `--device` comes to, which is what the command of a row says."""
-    given = arguments.device
-    _arrays.choice("--device", given, ("auto", "gpu", "cpu"))
-    if given != "auto":
-        return "cpu" if given == "cpu" else "gpu"
-    found = available_device()
-    arguments.device = found
-    if found == "cpu" and not arguments.json:
-        print("no OpenGL here (see pyopacity doctor): T on the CPU, and no pictures", flush=True)
-    return found
-
-
-def _folder(given: str) -> pathlib.Path:
-    """Where results may go, as far as that shows before there are any."""
-    folder = pathlib.Path(given)
-    if folder.exists() and not folder.is_dir():
-        raise po.ParameterError(f"{folder} is a file", "name a folder for the results")
-    if not folder.absolute().parent.is_dir():
-        raise po.ParameterError(
-            f"{folder} cannot be made: there is no folder {folder.parent}",
-            "make the folder first, or choose another",
-        )
-    return folder
-
-
-def _command(arguments: argparse.Namespace) -> str:
-    """The command line that measures this again, without what leaves the figures as they are."""
-    words = ["pyopacity", "compare", *arguments.files]
-    for name, value in sorted(vars(arguments).items()):
-        if name in ("files", "output", "json", "run") or value in (None, []):
-            continue
-        for each in value if isinstance(value, list) else [value]:
-            words.append(f"--{name.replace('_', '-')}={each}")
-    return shlex.join(words)
 
 
 def _line(variant: Variant, row: dict[str, Any]) -> str:

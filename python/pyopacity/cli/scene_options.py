@@ -71,7 +71,7 @@ def load(arguments: argparse.Namespace) -> po.Scene:
     for file in arguments.files:
         text.progress(f"loading {file}")
         scene.add(po.load(file))
-    changes = _changes(arguments)
+    changes = strand_changes(arguments)
     strands = [shape for shape in scene.shapes if isinstance(shape, po.Strands)]
     if changes and not strands:
         raise po.ParameterError(
@@ -84,8 +84,8 @@ def load(arguments: argparse.Namespace) -> po.Scene:
     return scene
 
 
-def _changes(arguments: argparse.Namespace) -> dict[str, Any]:
-    """What replaces attributes of strands."""
+def strand_changes(arguments: argparse.Namespace) -> dict[str, Any]:
+    """What :func:`add_strands` asks for: name and value of an attribute."""
     kinds = {"opacity": ((1, 3), "one number, or R,G,B"), "width": ((1,), "one number")}
     changes: dict[str, Any] = {}
     for name, (counts, wanted) in kinds.items():

@@ -38,22 +38,19 @@ class Cost:
 
 def cost_of(renderer: Renderer, receivers: Receivers, repeats: int) -> Cost:
     """Of the renderer's technique; it renders and looks T up for that."""
-    passes, bytes_per_texel = _size_of_maps(renderer, receivers.lights)
-    once = _time_of_look_ups if renderer.device == "cpu" else _time_of_picture
+    passes, bytes_per_texel = size_of_maps(renderer, receivers.lights)
+    once = time_of_look_ups if renderer.device == "cpu" else _time_of_picture
     times = [once(renderer, receivers) for _ in range(repeats)]
     seconds, map_seconds = np.median(times, axis=0)
     return Cost(float(seconds), float(map_seconds), passes, bytes_per_texel)
 
 
-def _size_of_maps(renderer: Renderer, lights: int) -> tuple[int, float]:
-    """Passes, and bytes a texel."""
+def size_of_maps(renderer: Renderer, lights: int) -> tuple[int, float]:
+    """Passes that make the maps of so many lights, and the bytes that they hold a texel."""
     passes = held = texels = 0
     for light in range(lights):
         renderer.transmittance(np.zeros((1, 3)), light)
-        passes += sum(
-            row.status != "culled" and _last_part(row.name) not in _USES_MAPS
-            for row in renderer.report
-        )
+        passes += sum(row.status != "culled" and makes_maps(row.name) for row in renderer.report)
         for row in renderer.memory():
             part = _last_part(row.name)
             held += row.bytes if part not in _LOOK_UPS else 0
@@ -69,8 +66,8 @@ def _time_of_picture(renderer: Renderer, _: Receivers) -> tuple[float, float]:
     return time.perf_counter() - start, _map_seconds(renderer)
 
 
-def _time_of_look_ups(renderer: Renderer, receivers: Receivers) -> tuple[float, float]:
-    """The first shape's has the maps made."""
+def time_of_look_ups(renderer: Renderer, receivers: Receivers) -> tuple[float, float]:
+    """Seconds of T at all points of the receivers' shapes, from nothing, and of the maps alone."""
     renderer.invalidate()
     maps = 0.0
     start = time.perf_counter()
@@ -82,7 +79,12 @@ def _time_of_look_ups(renderer: Renderer, receivers: Receivers) -> tuple[float, 
 
 
 def _map_seconds(renderer: Renderer) -> float:
-    return sum(row.ms for row in renderer.report if _last_part(row.name) not in _USES_MAPS) / 1000.0
+    return sum(row.ms for row in renderer.report if makes_maps(row.name)) / 1000.0
+
+
+def makes_maps(name: str) -> bool:
+    """Whether a pass of this name makes the light's maps; others use them."""
+    return _last_part(name) not in _USES_MAPS
 
 
 def _last_part(name: str) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from pyopacity.comparison import plot
+from pyopacity.comparison.document import document
 
 Row = dict[str, Any]
 
@@ -14,24 +15,11 @@ _KINDS = {"depth": "depth error", "total": "total error", "image": "image error"
 _FIGURES = {"rmse": "RMSE", "mae": "mean", "bias": "bias", "p99": "99 %", "maximum": "max"}
 
 _STYLE = """
-:root { color-scheme: light dark; font: 15px/1.5 system-ui, sans-serif; }
-body { margin: 2rem auto; max-width: 76rem; padding: 0 1rem; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .85rem; }
-th, td { padding: .2rem .5rem; text-align: right; }
 thead tr:first-child th, th:nth-child(2), td:nth-child(2) { text-align: left; }
-thead th { border-bottom: 1px solid #8886; }
-tbody tr:hover { background: #8882; }
 .first { border-left: 1px solid #8886; }
-.scroll { overflow-x: auto; }
-.row { display: flex; flex-wrap: wrap; gap: 1rem; }
-svg { flex: 1 1 20rem; max-width: 30rem; }
-svg text { font-size: 11px; fill: currentColor; }
-svg .title { font-size: 13px; text-anchor: middle; }
-svg .grid { stroke: #8884; }
 figure { margin: 0; }
 img { display: block; background: #000; max-width: 100%; }
-code { overflow-wrap: anywhere; }
-.dot { display: inline-block; width: .7em; height: .7em; border-radius: 50%; }
+.dot { display: inline-block; width: .5em; height: .5em; border: .1em solid; border-radius: 50%; }
 """
 
 _MEANING = """
@@ -47,7 +35,6 @@ person sees. Mean is of |difference|; bias below 0 is too dark; 99 % is the perc
 def html_of(rows: Sequence[Row]) -> str:
     """The whole page, for rows as results.json holds them."""
     first = rows[0]
-    title = html.escape(f"{first['scene']}: errors")
     body = [
         f"<h1>{html.escape(first['scene'])}</h1>",
         f"<p>{_facts(first)}</p>",
@@ -60,11 +47,7 @@ def html_of(rows: Sequence[Row]) -> str:
         *_pictures_of_all(rows),
         f"<p><code>{html.escape(first['command'])}</code></p>",
     ]
-    return (
-        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
-        f'<meta name="viewport" content="width=device-width"><style>{_STYLE}</style></head>\n'
-        + "\n".join(["<body>", *body, "</body></html>", ""])
-    )
+    return document(f"{first['scene']}: errors", _STYLE, body)
 
 
 def _facts(row: Row) -> str:
@@ -96,13 +79,14 @@ def _label(row: Row) -> str:
     return ", ".join([row["technique"], *parameters])
 
 
-def _colors(rows: Sequence[Row]) -> dict[str, str]:
+def _indices(rows: Sequence[Row]) -> dict[str, int]:
+    """Of each technique, for its dot."""
     names = dict.fromkeys(row["technique"] for row in rows)
-    return {name: plot.color_of(index) for index, name in enumerate(names)}
+    return {name: index for index, name in enumerate(names)}
 
 
 def _table(rows: Sequence[Row]) -> str:
-    colors, kinds = _colors(rows), _kinds(rows[0])
+    indices, kinds = _indices(rows), _kinds(rows[0])
     groups = "".join(f'<th colspan="5" class="first">{kind}</th>' for kind in kinds.values())
     names = ""
     for _ in kinds:
@@ -116,17 +100,17 @@ def _table(rows: Sequence[Row]) -> str:
         '<th class="first">passes</th><th>bytes a texel</th></tr></thead>'
     )
     lines = [
-        f"<tr>{''.join(_cells(number, row, colors[row['technique']]))}</tr>"
+        f"<tr>{''.join(_cells(number, row, indices[row['technique']]))}</tr>"
         for number, row in enumerate(rows, 1)
     ]
     return f"<table>{head}<tbody>{''.join(lines)}</tbody></table>"
 
 
-def _cells(number: int, row: Row, color: str) -> list[str]:
+def _cells(number: int, row: Row, index: int) -> list[str]:
     label = html.escape(_label(row))
     cells = [
         f"<td>{number}</td>",
-        f'<td><span class="dot" style="background:{color}"></span> {label}</td>',
+        f"<td>{_dot(index)} {label}</td>",
         f"<td>{_map(row)}</td>",
         f"<td>{row['footprint']:.4g}</td>",
     ]
@@ -143,15 +127,22 @@ def _cells(number: int, row: Row, color: str) -> list[str]:
     return cells
 
 
+def _dot(index: int) -> str:
+    """As it is in the plots."""
+    color = plot.color_of(index)
+    fill = "transparent" if plot.is_ring(index) else color
+    return f'<span class="dot" style="border-color:{color};background:{fill}"></span>'
+
+
 def _plots(rows: Sequence[Row]) -> str:
-    colors = _colors(rows)
+    indices = _indices(rows)
     plots = []
     for kind, title in _kinds(rows[0]).items():
         points = [
             plot.Point(
                 number,
                 f"{_label(row)}, map {_map(row)}",
-                colors[row["technique"]],
+                indices[row["technique"]],
                 row["seconds"],
                 row[f"{kind}_rmse"],
             )

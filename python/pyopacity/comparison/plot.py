@@ -1,17 +1,33 @@
-"""Error over time, as SVG in a page: it needs no package, scales, and takes the page's colours."""
+"""Plots as SVG in a page: they need no package, scale, and take the page's colours.
+
+Both axes are logarithmic: what is compared lies decades apart.
+"""
 
 from __future__ import annotations
 
 import html
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 # Of a colour-blind safe set (Okabe and Ito 2008), readable on light and dark.
 _COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8c6d31", "#7f7f7f")
 _WIDTH, _HEIGHT = 360, 260
 _LEFT, _RIGHT, _TOP, _BOTTOM = 52, 16, 30, 40
+_LINE_OF_LEGEND = 15
 _LEAST_ERROR = 1e-4
+# Where an axis spans fewer decades, these parts of one are marked too.
+_FEW_DECADES = 2
+_PARTS = (1.0, 2.0, 5.0)
+
+STYLE = """
+svg { flex: 1 1 20rem; max-width: 30rem; }
+svg text { font-size: 11px; fill: currentColor; }
+svg .title { font-size: 13px; text-anchor: middle; }
+svg .grid { stroke: #8884; }
+svg .line { fill: none; stroke-width: 1.5; }
+svg .front { fill: none; stroke: currentColor; stroke-dasharray: 4 3; }
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +36,7 @@ class Point:
 
     number: int
     label: str
-    color: str
+    technique: int
     seconds: float
     error: float
 
@@ -30,19 +46,69 @@ def color_of(index: int) -> str:
     return _COLORS[index % len(_COLORS)]
 
 
-def error_over_time(title: str, points: Sequence[Point]) -> str:
-    """Seconds across, the error upward, both logarithmic; errors below .0001 lie on the ground."""
+def is_ring(index: int) -> bool:
+    """Whether its dot is empty: every colour has been used."""
+    return index // len(_COLORS) % 2 == 1
+
+
+def error_over_time(
+    title: str, points: Sequence[Point], front: Sequence[Point] = (), names: Sequence[str] = ()
+) -> str:
+    """Seconds across, the error upward, both logarithmic; errors below .0001 lie on the ground.
+
+    Args:
+        title: above it.
+        points: of a dot each.
+        front: those which a dashed line joins.
+        names: of the techniques, for a legend below; without any each dot has its number.
+    """
     across = _Axis([p.seconds for p in points], _LEFT, _WIDTH - _RIGHT)
     upward = _Axis([max(p.error, _LEAST_ERROR) for p in points], _HEIGHT - _BOTTOM, _TOP)
-    parts = [f'<text x="{_WIDTH / 2}" y="16" class="title">{html.escape(title)}</text>']
-    parts += [_grid(across.place(tick), None, f"{tick:g} s") for tick in across.ticks()]
-    parts += [_grid(None, upward.place(tick), f"{tick:g}") for tick in upward.ticks()]
-    for p in points:
-        parts.append(_dot(across.place(p.seconds), upward.place(max(p.error, _LEAST_ERROR)), p))
-    return (
-        f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" role="img" '
-        f'aria-label="{html.escape(title)} over seconds a frame">{"".join(parts)}</svg>'
-    )
+
+    def place(p: Point) -> tuple[float, float]:
+        return across.place(p.seconds), upward.place(max(p.error, _LEAST_ERROR))
+
+    parts = [*_frame(title, across, upward, " s")]
+    if len(front) > 1:
+        ordered = sorted(front, key=lambda p: p.seconds)
+        parts.append(f'<polyline points="{_path(map(place, ordered))}" class="front"/>')
+    parts += [_dot(*place(p), p, is_numbered=not names) for p in points]
+    parts += _legend(names)
+    return _svg(f"{title} over seconds", parts, _HEIGHT + _LINE_OF_LEGEND * len(names))
+
+
+def lines(title: str, unit: str, series: Mapping[str, Sequence[tuple[float, float]]]) -> str:
+    """A line for each name, through its points (across, upward), both above 0; a legend below.
+
+    Args:
+        title: above it.
+        unit: of what is across, such as " segments".
+        series: name and points.
+    """
+    points = [point for line in series.values() for point in line]
+    across = _Axis([x for x, _ in points], _LEFT, _WIDTH - _RIGHT)
+    upward = _Axis([y for _, y in points], _HEIGHT - _BOTTOM, _TOP)
+    parts = [*_frame(title, across, upward, unit)]
+    for index, (name, line) in enumerate(series.items()):
+        color = color_of(index)
+        places = [(across.place(a), upward.place(b)) for a, b in line]
+        parts.append(f'<polyline points="{_path(places)}" class="line" stroke="{color}"/>')
+        for (cx, cy), (a, b) in zip(places, line, strict=True):
+            told = html.escape(f"{name}: {b:.3g} at {a:,.0f}")
+            parts.append(
+                f'<circle cx="{cx:.1f}" cy="{cy:.1f}" r="3.5" fill="{color}">'
+                f"<title>{told}</title></circle>"
+            )
+    parts += _legend(series)
+    return _svg(title, parts, _HEIGHT + _LINE_OF_LEGEND * len(series))
+
+
+def standalone(svg: str) -> str:
+    """The plot as a file of its own."""
+    style = f"<style>svg {{ color: #222; font-family: sans-serif; }}{STYLE}</style>"
+    opening, closing, rest = svg.partition(">")
+    named = opening.replace("<svg", '<svg xmlns="http://www.w3.org/2000/svg"')
+    return f"{named}{closing}{style}{rest}\n"
 
 
 class _Axis:
@@ -59,7 +125,36 @@ class _Axis:
         return self._start + part * (self._end - self._start)
 
     def ticks(self) -> list[float]:
-        return [10.0**exponent for exponent in range(self._low, self._high + 1)]
+        decades = range(self._low, self._high)
+        parts = _PARTS if len(decades) < _FEW_DECADES else _PARTS[:1]
+        return [part * 10.0**e for e in decades for part in parts] + [10.0**self._high]
+
+
+def _frame(title: str, across: _Axis, upward: _Axis, unit: str) -> Iterable[str]:
+    yield f'<text x="{_WIDTH / 2}" y="16" class="title">{html.escape(title)}</text>'
+    for tick in across.ticks():
+        yield _grid(across.place(tick), None, f"{_short(tick)}{html.escape(unit)}")
+    for tick in upward.ticks():
+        yield _grid(None, upward.place(tick), _short(tick))
+
+
+def _short(tick: float) -> str:
+    """Thousands and millions as letters, so that marks stay apart."""
+    for size, letter in ((1e6, " M"), (1e3, " k")):
+        if tick >= size:
+            return f"{tick / size:g}{letter}"
+    return f"{tick:g}"
+
+
+def _svg(label: str, parts: Iterable[str], height: int) -> str:
+    return (
+        f'<svg viewBox="0 0 {_WIDTH} {height}" role="img" '
+        f'aria-label="{html.escape(label)}">{"".join(parts)}</svg>'
+    )
+
+
+def _path(places: Iterable[tuple[float, float]]) -> str:
+    return " ".join(f"{x:.1f},{y:.1f}" for x, y in places)
 
 
 def _grid(x: float | None, y: float | None, label: str) -> str:
@@ -72,9 +167,21 @@ def _grid(x: float | None, y: float | None, label: str) -> str:
     return f'<line {line} class="grid"/><text {place}>{label}</text>'
 
 
-def _dot(x: float, y: float, point: Point) -> str:
+def _legend(names: Iterable[str]) -> Iterable[str]:
+    """Below the axes, a line each."""
+    for index, name in enumerate(names):
+        y = _HEIGHT + _LINE_OF_LEGEND * index
+        yield f"<circle {_mark(index, _LEFT + 5, y - 4)}/>"
+        yield f'<text x="{_LEFT + 16}" y="{y}">{html.escape(name)}</text>'
+
+
+def _mark(index: int, x: float, y: float) -> str:
+    color = color_of(index)
+    fill = "none" if is_ring(index) else color
+    return f'cx="{x:.1f}" cy="{y:.1f}" r="4.5" fill="{fill}" stroke="{color}" stroke-width="1.5"'
+
+
+def _dot(x: float, y: float, point: Point, is_numbered: bool) -> str:
     label = html.escape(f"{point.label}: {point.error:.4f}, {point.seconds:.3g} s")
-    return (
-        f'<g><title>{label}</title><circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{point.color}"/>'
-        f'<text x="{x + 8:.1f}" y="{y - 4:.1f}">{point.number}</text></g>'
-    )
+    number = f'<text x="{x + 8:.1f}" y="{y - 4:.1f}">{point.number}</text>' if is_numbered else ""
+    return f"<g><title>{label}</title><circle {_mark(point.technique, x, y)}/>{number}</g>"

@@ -102,7 +102,7 @@ def compare(
     }
     with Renderer(scene, camera, device=plan.device, **settings) as renderer:
         truth = Truth(scene, camera, plan, receivers, progress)
-        bench = _Bench(plan, renderer, receivers, truth, DepthReference(receivers))
+        bench = Bench(plan, renderer, receivers, truth, DepthReference(receivers))
         for map_size in dict.fromkeys(plan.map_sizes):
             renderer.map_size = map_size
             for variant in variants:
@@ -111,7 +111,19 @@ def compare(
 
 
 @dataclass(frozen=True, slots=True)
-class _Bench:
+class ErrorsOfT:
+    """Of one technique on one map, without a picture; as in :class:`Result`."""
+
+    map_size: int
+    map_size_reason: str | None
+    footprint: float
+    receivers: int
+    depth: Errors
+    total: Errors
+
+
+@dataclass(frozen=True, slots=True)
+class Bench:
     """What all rows are measured on."""
 
     plan: Plan
@@ -120,9 +132,9 @@ class _Bench:
     truth: Truth
     depth_reference: DepthReference
 
-    def measure(self, variant: Variant) -> Result:
-        """One row, on a map of the size that the renderer has."""
-        renderer, truth = self.renderer, self.truth
+    def errors(self, variant: Variant) -> ErrorsOfT:
+        """On a map of the size that the renderer has; the technique is the renderer's then."""
+        renderer = self.renderer
         exact = self.depth_reference.of(renderer, variant)
         renderer.technique = variant.make()
         measured = self.receivers.transmittance(renderer)
@@ -130,21 +142,34 @@ class _Bench:
         map_size, reason = _map_size_of(renderer)
         if self.plan.footprint is not None:
             sides = np.full_like(sides, self.plan.footprint)
-        bias = _bias_of(renderer)
-        picture = traced = image = flip = None
-        if self.plan.device != "cpu":
-            picture, traced = renderer.render(), truth.picture(bias)
-        if picture is not None and traced is not None:
-            image = metrics.errors(picture[..., :3], traced[..., :3])
-            flip = metrics.flip(traced, picture) if metrics.has_flip() else None
-        return Result(
-            variant=variant,
+        traced = self.truth.transmittance(sides, _bias_of(renderer))
+        return ErrorsOfT(
             map_size=map_size,
             map_size_reason=reason,
             footprint=float(np.median(sides)),
             receivers=len(measured),
             depth=metrics.errors(measured, exact),
-            total=metrics.errors(measured, truth.transmittance(sides, bias)),
+            total=metrics.errors(measured, traced),
+        )
+
+    def measure(self, variant: Variant) -> Result:
+        """One row: the errors, those of the picture, and what it costs."""
+        renderer = self.renderer
+        found = self.errors(variant)
+        picture = traced = image = flip = None
+        if self.plan.device != "cpu":
+            picture, traced = renderer.render(), self.truth.picture(_bias_of(renderer))
+        if picture is not None and traced is not None:
+            image = metrics.errors(picture[..., :3], traced[..., :3])
+            flip = metrics.flip(traced, picture) if metrics.has_flip() else None
+        return Result(
+            variant=variant,
+            map_size=found.map_size,
+            map_size_reason=found.map_size_reason,
+            footprint=found.footprint,
+            receivers=found.receivers,
+            depth=found.depth,
+            total=found.total,
             image=image,
             flip=flip,
             cost=cost_of(renderer, self.receivers, self.plan.repeats),

@@ -98,6 +98,15 @@ def texel_side(renderer: Renderer) -> float:
     return 1.0 / float(np.linalg.norm(renderer.light_from_world[0, :3]))
 
 
+def box_width(footprint: float, texel: float) -> float:
+    """Of the box filter that judges a footprint, in the unit of both.
+
+    Texels have an extent of their own, whose variance adds to the box's, and one of them is the
+    least (docs/accuracy.md).
+    """
+    return float(np.sqrt(max(footprint**2 - texel**2, texel**2)))
+
+
 class DepthReference:
     """T of the exact lists of the renderer's map, with the parameters that both have."""
 
