@@ -18,23 +18,13 @@ from depth_error import LIGHT
 from error_models import Bench
 
 import pyopacity as po
+from pyopacity.benchmark.ways import ADAPTIVE, PAPERS, PUBLISHED_A_LAYER
 from pyopacity.comparison import sample_receivers
 
-ADAPTIVE = "adaptive_opacity_maps"
 MODELS = ("straight.hair", "bear.hair")
 MAP_SIZE, RECEIVERS, SEED = 512, 20000, 0
 LAYERS = (8, 16)
-# A look-up in K of our layers reads from three arrays: sums, moments and places; in those of the
-# papers from one. So many layers of theirs take the bytes of one of ours.
-PUBLISHED_A_LAYER = 3
-AS_PUBLISHED: dict[str, Any] = {"interpolation": "linear", "own_correction": False}
-PUBLISHED: dict[str, tuple[str, dict[str, Any]]] = {
-    "opacity shadow maps": ("opacity_shadow_maps", AS_PUBLISHED),
-    "deep opacity maps": ("deep_opacity_maps", {"own_correction": False}),
-    "bounding, linear": ("bounding_opacity_maps", AS_PUBLISHED | {"split": "linear"}),
-    "bounding, ratio .5": ("bounding_opacity_maps", AS_PUBLISHED | {"split": "hybrid"}),
-    "bounding, logarithmic": ("bounding_opacity_maps", AS_PUBLISHED | {"split": "logarithmic"}),
-}
+PUBLISHED = {name: way for name, way in PAPERS.items() if not way.takes_coefficients}
 OURS: dict[str, tuple[str, dict[str, Any]]] = {
     "`bounding_opacity_maps`": ("bounding_opacity_maps", {}),
     "the same, `per_texel`": ("bounding_opacity_maps", {"split": "per_texel"}),
@@ -77,8 +67,8 @@ def print_published(only: list[str] | None) -> None:
             for factor in (1, PUBLISHED_A_LAYER):
                 count = factor * layers
                 errors = [
-                    depth.of(name, layers=count, **parameters)
-                    for name, parameters in PUBLISHED.values()
+                    depth.of(way.technique, layers=count, **way.parameters)
+                    for way in PUBLISHED.values()
                 ]
                 errors.append(fourier(depth, count - 1))
                 cells = " | ".join(f"{e:.4f}" for e in errors)

@@ -3,27 +3,23 @@
     python benchmarks/deposit_ways.py [--scene demo:hair] [--map-size 512] > table.md
 
 Prints the tables of docs/performance.md: time of the passes of bounding opacity maps, every pass
-anew, scatter over blend; of the bounds over two blended passes. Ways take turns, so that what slows
-the machine down slows all of them; figures are medians.
+anew, scatter over blend; of the bounds over two blended passes. `pyopacity bench --only P3,P4`
+measures the goals among them.
 """
 
 from __future__ import annotations
 
 import argparse
-import statistics
-from collections import defaultdict
+from contextlib import ExitStack
 from typing import Any
 
-import numpy as np
-
 import pyopacity as po
+from pyopacity.benchmark.clock import WHOLE, Clock, Turns, all_maps
 
 MAPS, LIGHT = "bounding_opacity_maps", (0.5, 0.3, -0.8)
 LAYERS = (4, 8, 16, 32)
 BLEND, SCATTER, TWO_PASSES = "blend", "scatter", "two passes"
 INTERPOLATIONS = ("linear", "mean_depth")
-WARM_UP = 1
-ANY_POINT = np.zeros((1, 3), np.float32)
 
 
 def ways(layers: int, interpolation: str) -> dict[str, dict[str, Any]]:
@@ -37,36 +33,29 @@ def ways(layers: int, interpolation: str) -> dict[str, dict[str, Any]]:
     }
 
 
-def part_of(name: str) -> str:
-    """Of a pass: the bounds or the layers."""
-    return "layers" if name.startswith(("opacity", "moments")) else "bounds"
-
-
 def measured(
-    scene: po.Scene, map_size: int, frames: int, parameters: dict[str, dict[str, Any]]
-) -> dict[str, dict[str, float]]:
-    """Medians of milliseconds, by way and part."""
-    renderers = {
-        way: po.Renderer(scene, technique=po.technique(MAPS, **given), map_size=map_size)
-        for way, given in parameters.items()
-    }
-    times: dict[str, dict[str, list[float]]] = {way: defaultdict(list) for way in renderers}
-    for _ in range(WARM_UP + frames):
-        for way, renderer in renderers.items():
-            renderer.invalidate()
-            renderer.transmittance(ANY_POINT)
-            spent: dict[str, float] = defaultdict(float)
-            for row in renderer.report:
-                if row.name.startswith(f"{MAPS}/"):
-                    spent[part_of(row.name.removeprefix(f"{MAPS}/"))] += row.ms
-            for part, ms in spent.items():
-                times[way][part].append(ms)
-    for renderer in renderers.values():
-        renderer.close()
-    return {
-        way: {part: statistics.median(ms[WARM_UP:]) for part, ms in parts.items()}
-        for way, parts in times.items()
-    }
+    scene: po.Scene, map_size: int, rounds: int, parameters: dict[str, dict[str, Any]]
+) -> Turns:
+    """Seconds of each pass, by way."""
+    with ExitStack() as stack:
+        works = {}
+        for way, given in parameters.items():
+            technique = po.technique(MAPS, **given)
+            renderer = stack.enter_context(
+                po.Renderer(scene, technique=technique, map_size=map_size)
+            )
+            works[way] = all_maps(renderer)
+        return Clock(rounds=rounds, least=rounds).in_turns(works)
+
+
+def milliseconds(turns: Turns, way: str) -> dict[str, float]:
+    """Of the bounds and of the layers."""
+    spent = {"bounds": 0.0, "layers": 0.0}
+    for name in turns.parts(way):
+        if name != WHOLE and name.startswith(f"{MAPS}/"):
+            is_layers = name.removeprefix(f"{MAPS}/").startswith(("opacity", "moments"))
+            spent["layers" if is_layers else "bounds"] += 1000.0 * turns.median(way, name)
+    return spent
 
 
 def over(a: float, b: float) -> str:
@@ -80,7 +69,7 @@ def main() -> None:
     )
     parser.add_argument("--map-size", type=int, action="append", help="again for more")
     parser.add_argument("--layers", type=int, action="append", help="again for more")
-    parser.add_argument("--frames", type=int, default=9)
+    parser.add_argument("--rounds", type=int, default=9)
     arguments = parser.parse_args()
     print("| scene | map | layers | interpolation | bounds | layers, ms | whole map |")
     print("|---|---|---|---|---|---|---|")
@@ -89,14 +78,17 @@ def main() -> None:
         for map_size in arguments.map_size or [512]:
             for layers in arguments.layers or LAYERS:
                 for interpolation in INTERPOLATIONS:
-                    table = measured(scene, map_size, arguments.frames, ways(layers, interpolation))
-                    blend, scatter = table[BLEND], table[SCATTER]
+                    given = ways(layers, interpolation)
+                    turns = measured(scene, map_size, arguments.rounds, given)
+                    blend, scatter, two = (
+                        milliseconds(turns, way) for way in (BLEND, SCATTER, TWO_PASSES)
+                    )
                     cells = [
                         name,
                         f"{map_size}^2",
                         str(layers),
                         interpolation,
-                        over(scatter["bounds"], table[TWO_PASSES]["bounds"]),
+                        over(scatter["bounds"], two["bounds"]),
                         over(scatter["layers"], blend["layers"]),
                         over(sum(scatter.values()), sum(blend.values())),
                     ]

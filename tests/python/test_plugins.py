@@ -14,7 +14,8 @@ import pytest
 
 import guides
 import pyopacity as po
-from pyopacity.cli.main import cmake_dir, main
+from pyopacity._cmake import cmake_dir
+from pyopacity.cli.main import main
 
 HERE = Path(__file__).parent
 FAULTY = HERE.parent / "plugin"

@@ -2,16 +2,15 @@
 
 import argparse
 import contextlib
-import importlib.util
 import logging
 import os
-import pathlib
 import sys
 from collections.abc import Iterator, Sequence
 from typing import NoReturn
 
 import pyopacity as po
-from pyopacity.cli import compare, doctor, info, render, techniques, tune
+from pyopacity._cmake import cmake_dir
+from pyopacity.cli import bench, compare, doctor, info, render, techniques, tune
 from pyopacity.cli.text import clear_progress
 
 INTERRUPTED = 130
@@ -67,13 +66,6 @@ def _warnings_of_files() -> Iterator[None]:
         logger.removeHandler(handler)
 
 
-def cmake_dir() -> pathlib.Path:
-    """Where find_package(opacity) finds its files, beside the engine's library."""
-    module = importlib.util.find_spec("pyopacity._native")  # an editable install has it elsewhere
-    assert module is not None and module.origin is not None
-    return pathlib.Path(module.origin).parent / "lib" / "cmake" / "opacity"
-
-
 def _parser() -> Parser:
     parser = Parser(prog="pyopacity", description=po.__doc__.partition("\n")[0])
     parser.add_argument("--version", action="version", version=f"pyopacity {po.__version__}")
@@ -81,7 +73,7 @@ def _parser() -> Parser:
         "--cmake-dir", action=PrintCmakeDir, help="print the folder for cmake -Dopacity_DIR="
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in (render, compare, tune, techniques, info, doctor):
+    for command in (render, compare, bench, tune, techniques, info, doctor):
         command.add_to(commands)
     return parser
 

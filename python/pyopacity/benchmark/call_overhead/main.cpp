@@ -1,4 +1,4 @@
-// call_overhead DEVICE SEGMENTS REPEATS: prints microseconds, medians, as ../call_overhead.py
+// call_overhead DEVICE SEGMENTS REPEATS: prints microseconds, medians, as ../calls.py
 // measures them: T at points, T at a shape, and, with DEVICE gpu, a picture; unchanged, then
 // everything anew.
 #include <algorithm>

@@ -1,0 +1,110 @@
+"""Frames of every technique, as ratios to the same frame without shadows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+
+from pyopacity import comparison
+from pyopacity.benchmark import ways
+from pyopacity.benchmark.clock import WHOLE, Parts, Turns, seconds_of
+from pyopacity.benchmark.run import Run, hair_of
+from pyopacity.benchmark.table import Row, Table
+from pyopacity.camera import Camera
+from pyopacity.comparison import Variant
+from pyopacity.comparison.cost import makes_maps
+from pyopacity.renderer import Renderer
+from pyopacity.scene import Scene
+from pyopacity.technique import UNSHADOWED
+
+CAMERA, NOTHING, MAPS, SEARCH = "camera", "nothing", "maps", "passes of a search"
+FIXED_SPLIT = f"{ways.BOUNDING}, fixed split"
+_OF_A_SEARCH = ("histogram", "sampled_texels", "split_search")
+_TURN = 0.002  # of the camera's place, from frame to frame, in sides of the scene
+_NOTE = """Everything: every pass anew, over the same of a frame without shadows. Camera: only the
+camera moves. Unchanged: nothing does. Pictures are opaque, so that the shadow is all that differs,
+and each is brought back to the CPU."""
+
+
+def measure(run: Run) -> Iterator[Table]:
+    """A table that grows scene by scene; none without OpenGL, since pictures need it."""
+    rows: list[Row] = []
+    for segments in run.plan.goals.segments if run.plan.device == "gpu" else ():
+        turns = run.once(turns_of, segments)
+        head: Row = {"scene": hair_of(segments), "map": run.plan.goals.map_size}
+        for name in _variants(run):
+            rows.append(
+                head
+                | {
+                    "technique": name,
+                    "everything": turns.ratio(name, UNSHADOWED),
+                    "camera moves": turns.ratio(name, UNSHADOWED, CAMERA),
+                    "unchanged, ms": 1000.0 * turns.median(name, NOTHING),
+                    "maps, ms": 1000.0 * turns.median(name, MAPS),
+                    "frame, ms": 1000.0 * turns.median(name),
+                    "rounds": turns.rounds,
+                }
+            )
+        yield Table("frames", "Frames", _NOTE, list(rows))
+
+
+def where(run: Run, segments: int) -> str:
+    """On what frames are measured."""
+    goals = run.plan.goals
+    width, height = goals.size
+    return f"{hair_of(segments)}, map {goals.map_size}, {width}x{height}, opaque"
+
+
+def turns_of(run: Run, segments: int) -> Turns:
+    """Frames of every technique by its name, and of bounding opacity maps without a search."""
+    run.tell(f"frames of {where(run, segments)}")
+    scene, goals = run.hair(segments), run.plan.goals
+    with ExitStack() as stack:
+        works: dict[str, Callable[[], Parts]] = {}
+        for name, variant in _variants(run).items():
+            renderer = Renderer(
+                scene,
+                technique=variant.make(),
+                size=goals.size,
+                map_size=goals.map_size,
+                compositing="opaque",
+            )
+            works[name] = _frames(stack.enter_context(renderer), scene)
+        return run.plan.clock.in_turns(works)
+
+
+def _variants(run: Run) -> dict[str, Variant]:
+    layers = run.plan.goals.layers
+    found = {v.technique: v for v in comparison.Plan(layers=(layers,)).variants()}
+    return found | {FIXED_SPLIT: Variant(ways.BOUNDING, {"layers": layers, **ways.FIXED_SPLIT})}
+
+
+def _frames(renderer: Renderer, scene: Scene) -> Callable[[], Parts]:
+    """Everything anew, then the camera alone, then nothing."""
+    frame = 0
+
+    def passes(wanted: Callable[[str], bool]) -> float:
+        return sum(row.ms for row in renderer.report if wanted(row.name)) / 1000.0
+
+    def draw() -> Parts:
+        nonlocal frame
+        renderer.invalidate()
+        found = {WHOLE: seconds_of(renderer.render)}
+        found[MAPS] = passes(makes_maps)
+        found[SEARCH] = passes(lambda name: name.rpartition("/")[2] in _OF_A_SEARCH)
+        frame += 1
+        renderer.camera = _camera(scene, frame)
+        found[CAMERA] = seconds_of(renderer.render)
+        found[NOTHING] = seconds_of(renderer.render)
+        return found
+
+    return draw
+
+
+def _camera(scene: Scene, frame: int) -> Camera:
+    """One that moves a little to the side."""
+    low, high = scene.bounds.min, scene.bounds.max
+    x, y, z = ((a + b) / 2.0 for a, b in zip(low, high, strict=True))
+    reach = max(b - a for a, b in zip(low, high, strict=True))
+    eye = (x + (0.3 + _TURN * frame) * reach, y - 1.6 * reach, z + 0.4 * reach)
+    return Camera.look_at(eye, (x, y, z))

@@ -1,0 +1,34 @@
+"""P8 and P9: T without OpenGL beside rays, and Python beside C++."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from pyopacity.benchmark import calls
+from pyopacity.benchmark.goals.goal import Goal
+from pyopacity.benchmark.peers import rays
+from pyopacity.benchmark.run import Run, hair_of
+from pyopacity.benchmark.table import Row
+
+LOOK_UP = Goal("P8", "T of every vertex without OpenGL / one ray a vertex", 1.0 / 30.0)
+CALL = Goal("P9", "a frame from Python / the same in C++, everything anew", 1.02)
+
+
+def look_up(run: Run) -> Iterator[Row]:
+    """P8."""
+    found = run.once(rays.measure)
+    maps, traced = found.turns.median(rays.MAPS), found.turns.median(rays.RAYS)
+    note = f"{found.backend}: {maps:.3f} / {traced:.2f} s"
+    yield LOOK_UP.measured(maps / traced, found.where, found.turns.rounds, note)
+
+
+def call(run: Run) -> Iterator[Row]:
+    """P9, for each kind of frame."""
+    where = f"{hair_of(run.plan.goals.call_segments)}, {run.plan.device}"
+    if (missing := calls.missing(run)) is not None:
+        yield CALL.not_measured(where, missing)
+        return
+    turns = run.once(calls.turns_of)
+    for frame in turns.parts("Python"):
+        if frame in calls.ANEW:
+            yield CALL.measured(calls.ratio(turns, frame), f"{where}, {frame}", turns.rounds)

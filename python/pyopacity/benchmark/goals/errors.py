@@ -1,0 +1,119 @@
+"""P6 and P7: what the papers' techniques need of time, and err, beside ours."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from pyopacity import metrics
+from pyopacity.benchmark import time_against_error, ways
+from pyopacity.benchmark.goals.goal import Goal
+from pyopacity.benchmark.run import Run
+from pyopacity.benchmark.table import Row
+from pyopacity.benchmark.time_against_error import ENGINE, PAPERS, PUBLISHED
+from pyopacity.comparison import DepthReference, Receivers, Variant, sample_receivers
+from pyopacity.renderer import Renderer
+
+TIME = Goal("P6", "time to total error .04, our best / the papers' best with our deposit", 0.2)
+ERROR = Goal("P6", "total error, our best / the papers' best as published", 0.4)
+EQUAL_LAYERS = Goal("P7", "depth error at equal layers, ours / the papers' best", 0.35)
+EQUAL_BYTES = Goal("P7", "depth error at equal bytes, ours / the papers' best", 0.5)
+TOTAL_ERROR = 0.04
+_LAYERS = (8, 16)
+_RECEIVERS, _SEED = 20_000, 0
+
+
+# ---- P6 ----
+
+
+def total(run: Run) -> Iterator[Row]:
+    """Both parts of P6."""
+    rows = run.once(time_against_error.rows_of, run.plan.hair)
+    measured = [row for row in rows if row["seconds"] is not None]
+    ours = [
+        row
+        for row in measured
+        if row["of"] == ENGINE and str(row["technique"]).partition(",")[0] in ways.OURS
+    ]
+    papers = [row for row in measured if row["of"] == PAPERS]
+    published = [row for row in measured if row["of"] == PUBLISHED]
+    plan = run.plan
+    where = f"{plan.hair}, maps {_list(plan.map_sizes)}, layers {_list(plan.layers)}, {plan.device}"
+    rounds = min(int(row["rounds"] or 0) for row in measured)
+
+    fast, theirs = _fastest(ours), _fastest(papers)
+    if fast is None or theirs is None:
+        least = _least(ours if fast is None else papers)
+        whom = "ours" if fast is None else "theirs"
+        why = f"none of {whom} errs by {TOTAL_ERROR} or less: {_told(least)}"
+        yield TIME.not_measured(where, why)
+    else:
+        note = f"{_told(fast)}; {_told(theirs)}"
+        yield TIME.measured(_of(fast, "seconds") / _of(theirs, "seconds"), where, rounds, note)
+    best, worst = _least(ours), _least(published)
+    note = f"{_told(best)}; {_told(worst)}"
+    yield ERROR.measured(_of(best, "total error") / _of(worst, "total error"), where, 1, note)
+
+
+def _fastest(rows: Sequence[Row]) -> Row | None:
+    """Of those that err little enough."""
+    good = [row for row in rows if _of(row, "total error") <= TOTAL_ERROR]
+    return min(good, key=lambda row: _of(row, "seconds"), default=None)
+
+
+def _least(rows: Sequence[Row]) -> Row:
+    return min(rows, key=lambda row: _of(row, "total error"))
+
+
+def _of(row: Row, key: str) -> float:
+    value = row[key]
+    assert isinstance(value, float)
+    return value
+
+
+def _told(row: Row) -> str:
+    error, seconds = _of(row, "total error"), _of(row, "seconds")
+    return f"{row['technique']}, map {row['map']}: error {error:.4f}, {seconds:.3f} s"
+
+
+def _list(numbers: Sequence[int]) -> str:
+    return "/".join(map(str, numbers))
+
+
+# ---- P7 ----
+
+
+def depth(run: Run) -> Iterator[Row]:
+    """P7, of two numbers of layers."""
+    plan = run.plan
+    scene = run.scene(plan.hair)
+    receivers = sample_receivers(scene, _RECEIVERS, _SEED)
+    reference = DepthReference(receivers)
+    map_size = plan.goals.map_size
+    with Renderer(scene, device=plan.device, map_size=map_size) as renderer:
+        for layers in _LAYERS:
+            run.tell(f"depth errors of {layers} layers")
+            ours = _error(
+                renderer, receivers, reference, Variant(ways.ADAPTIVE, {"layers": layers})
+            )
+            for goal, count in (
+                (EQUAL_LAYERS, layers),
+                (EQUAL_BYTES, ways.PUBLISHED_A_LAYER * layers),
+            ):
+                theirs = {
+                    name: _error(renderer, receivers, reference, variant)
+                    for name, variant in ways.papers(count)
+                }
+                best = min(theirs, key=theirs.__getitem__)
+                where = f"{plan.hair}, map {map_size}, {layers} layers of ours, {count} of theirs"
+                note = f"{ours:.4f} / {theirs[best]:.4f} of {best}"
+                ratio = ours / theirs[best] if theirs[best] > 0.0 else math.nan
+                yield goal.measured(ratio, where, 1, note)
+
+
+def _error(
+    renderer: Renderer, receivers: Receivers, reference: DepthReference, variant: Variant
+) -> float:
+    exact = reference.of(renderer, variant)
+    renderer.technique = variant.make()
+    return metrics.rmse(receivers.transmittance(renderer), exact)

@@ -1,0 +1,34 @@
+"""P1, P2, P5: a frame with shadows, over the same frame without."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from pyopacity.benchmark import frames, ways
+from pyopacity.benchmark.clock import WHOLE
+from pyopacity.benchmark.goals.goal import Goal
+from pyopacity.benchmark.run import Run
+from pyopacity.benchmark.table import Row
+from pyopacity.technique import EXACT, UNSHADOWED
+
+EVERYTHING = Goal("P1", "frame with shadows / without, everything moving", 1.25)
+CAMERA = Goal("P2", "frame with shadows / without, only the camera moving", 1.05)
+SEARCH = Goal("P5", "search of a split / a frame without it", 2.0)
+_OURS = (frames.FIXED_SPLIT, ways.BOUNDING, ways.ADAPTIVE, EXACT)
+
+
+def frame(run: Run) -> Iterator[Row]:
+    """Three rows for each size of the scene: of ours the one that takes least."""
+    for segments in run.plan.goals.segments:
+        where = frames.where(run, segments)
+        if run.plan.device == "cpu":
+            for goal in (EVERYTHING, CAMERA, SEARCH):
+                yield goal.not_measured(where, "pictures need OpenGL")
+            continue
+        turns = run.once(frames.turns_of, segments)
+        for goal, part in ((EVERYTHING, WHOLE), (CAMERA, frames.CAMERA)):
+            ratios = {way: turns.ratio(way, UNSHADOWED, part) for way in _OURS}
+            note = "; ".join(f"{way} {ratio:.2f}" for way, ratio in ratios.items())
+            yield goal.measured(min(ratios.values()), where, turns.rounds, note)
+        ratio = turns.ratio(ways.BOUNDING, frames.FIXED_SPLIT, frames.SEARCH, WHOLE)
+        yield SEARCH.measured(ratio, where, turns.rounds)

@@ -1,0 +1,28 @@
+"""P11: a picture, beside Mitsuba's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from pyopacity.benchmark.goals.goal import Goal
+from pyopacity.benchmark.peers import mitsuba
+from pyopacity.benchmark.run import Run
+from pyopacity.benchmark.table import Row
+
+TIME = Goal("P11", "a picture, albedo x T / Mitsuba 3 volpath with 16 samples", 1.0 / 150.0)
+ERROR = Goal("P11", "RMSE of that picture against Mitsuba's with 256 samples", 0.03)
+
+
+def picture(run: Run) -> Iterator[Row]:
+    """Time and error."""
+    if run.plan.device == "cpu" or not mitsuba.is_installed():
+        why = "pictures need OpenGL" if run.plan.device == "cpu" else mitsuba.INSTALL
+        for goal in (TIME, ERROR):
+            yield goal.not_measured(run.plan.hair, why)
+        return
+    found = run.once(mitsuba.measure)
+    ours, theirs = (found.turns.median(who) for who in (mitsuba.OURS, mitsuba.THEIRS))
+    note = f"{ours:.3f} / {theirs:.2f} s"
+    yield TIME.measured(ours / theirs, found.where, found.turns.rounds, note)
+    note = f"Mitsuba's with fewer samples: {found.noise:.4f}"
+    yield ERROR.measured(found.difference, found.where, 1, note)
