@@ -58,6 +58,11 @@ def primitives(scene: Scene) -> int:
     return sum(_primitives(shape) for shape in scene.shapes if shape.casts)
 
 
+def has_strands(scene: Scene) -> bool:
+    """Whether :func:`strands_of` finds any."""
+    return any(isinstance(shape, Strands) for shape in scene.shapes)
+
+
 def strands_of(scene: Scene) -> Strands:
     """The first strands.
 

@@ -19,7 +19,7 @@ import numpy.typing as npt
 
 from pyopacity import metrics
 from pyopacity.benchmark.clock import WHOLE, Parts, Turns, seconds_of, timed
-from pyopacity.benchmark.run import LIGHT, Run, strands_of
+from pyopacity.benchmark.run import LIGHT, Run, has_strands, strands_of
 from pyopacity.camera import Camera
 from pyopacity.light import DirectionalLight
 from pyopacity.renderer import Renderer
@@ -41,13 +41,24 @@ class Pictures:
         where: the scene, the picture, the samples.
         turns: of both, everything anew; scenes are loaded, and programs compiled, before.
         difference: RMSE of linear RGB against Mitsuba's with many samples.
-        noise: that of Mitsuba's with few samples.
+        on_strands: the same of the pixels alone in which Mitsuba sees any.
+        noise: the whole picture's, of Mitsuba's with few samples.
     """
 
     where: str
     turns: Turns
     difference: float
+    on_strands: float
     noise: float
+
+
+def missing(run: Run) -> str | None:
+    """What a comparison needs that is not there; None where nothing is."""
+    if run.plan.device == "cpu":
+        return "pictures need OpenGL"
+    if not is_installed():
+        return INSTALL
+    return None if has_strands(run.scene(run.plan.hair)) else "the scene has no strands"
 
 
 def is_installed() -> bool:
@@ -77,21 +88,29 @@ def measure(run: Run) -> Pictures:
             return {WHOLE: seconds_of(renderer.render)}
 
         turns = plan.clock.in_turns({OURS: draw, THEIRS: timed(lambda: theirs.render(few))})
-    return Pictures(where, turns, metrics.rmse(ours, reference), noise)
+    seen = reference.any(axis=-1)
+    return Pictures(
+        where=where,
+        turns=turns,
+        difference=metrics.rmse(ours, reference),
+        on_strands=metrics.rmse(ours[seen], reference[seen]),
+        noise=noise,
+    )
 
 
 def _scene(run: Run) -> tuple[Scene, Camera]:
-    """The strands alone under the light, and a camera on its side."""
+    """The strands alone, in the world and of one opacity, and a camera on the light's side."""
     given = strands_of(run.scene(run.plan.hair))
     toward = -np.asarray(LIGHT) / np.linalg.norm(LIGHT)
     camera = Camera.fit(Scene(given), tuple(-toward + (0.6, 0.0, 0.0)))
+    matrix = given.transform
     strands = Strands(
-        given.points,
+        np.asarray(given.points, np.float64) @ matrix[:3, :3].T + matrix[:3, 3],
         given.offsets,
-        width=given.width,
-        opacity=given.opacity,
-        color=np.asarray(_ALBEDO) * _mean_cosine(given, toward, camera)[:, None],
+        width=np.asarray(given.width) * abs(np.linalg.det(matrix[:3, :3])) ** (1.0 / 3.0),
+        opacity=float(np.mean(given.opacity)),
     )
+    strands.color = np.asarray(_ALBEDO) * _mean_cosine(strands, toward, camera)[:, None]
     return Scene(strands, DirectionalLight(LIGHT)), camera
 
 
@@ -157,7 +176,6 @@ def _description(
 ) -> dict[str, Any]:
     from mitsuba import ScalarTransform4f
 
-    opacity = float(np.mean(strands.opacity))
     width, height = size
     look_at = ScalarTransform4f().look_at(
         origin=list(camera.eye), target=list(camera.target), up=list(camera.up)
@@ -190,7 +208,7 @@ def _description(
             "filename": str(path),
             "bsdf": {
                 "type": "mask",
-                "opacity": opacity,
+                "opacity": float(np.mean(strands.opacity)),
                 "nested": {"type": "diffuse", "reflectance": albedo},
             },
         },

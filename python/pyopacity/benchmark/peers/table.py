@@ -41,12 +41,11 @@ def _rows(run: Run) -> Iterator[Row]:
         (found.turns, rays.RAYS, rays.MAPS),
         found.difference,
     )
-    if run.plan.device == "gpu" and mitsuba.is_installed():
+    if (why := mitsuba.missing(run)) is None:
         pictures = run.once(mitsuba.measure)
         turns = (pictures.turns, mitsuba.THEIRS, mitsuba.OURS)
         yield _row("Mitsuba 3, volpath", "a picture", pictures.where, turns, pictures.difference)
     else:
-        why = mitsuba.INSTALL if run.plan.device == "gpu" else "pictures need OpenGL"
         yield _row("Mitsuba 3, volpath", "a picture", run.plan.hair, None, None, why)
 
 
