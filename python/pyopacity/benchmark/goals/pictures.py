@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pyopacity.benchmark.goals.goal import Goal
 from pyopacity.benchmark.peers import mitsuba
 from pyopacity.benchmark.run import Run
-from pyopacity.benchmark.table import Row
+from pyopacity.benchmark.table import Row, text_of
 
 TIME = Goal("P11", "a picture, albedo x T / Mitsuba 3 volpath with 16 samples", 1.0 / 150.0)
 ERROR = Goal("P11", "RMSE of that picture against Mitsuba's with 256 samples", 0.03)
@@ -24,7 +24,7 @@ def picture(run: Run) -> Iterator[Row]:
     note = f"{ours:.3f} / {theirs:.2f} s"
     yield TIME.measured(ours / theirs, found.where, found.turns.rounds, note)
     note = (
-        f"of the pixels with strands alone {found.on_strands:.4f}; "
+        f"of the pixels with strands alone {text_of(found.on_strands)}; "
         f"Mitsuba's own with fewer samples {found.noise:.4f}"
     )
     yield ERROR.measured(found.difference, found.where, 1, note)

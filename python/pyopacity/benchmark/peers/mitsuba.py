@@ -41,14 +41,14 @@ class Pictures:
         where: the scene, the picture, the samples.
         turns: of both, everything anew; scenes are loaded, and programs compiled, before.
         difference: RMSE of linear RGB against Mitsuba's with many samples.
-        on_strands: the same of the pixels alone in which Mitsuba sees any.
+        on_strands: the same of the pixels alone in which Mitsuba sees any; None where there are none.
         noise: the whole picture's, of Mitsuba's with few samples.
     """
 
     where: str
     turns: Turns
     difference: float
-    on_strands: float
+    on_strands: float | None
     noise: float
 
 
@@ -93,7 +93,7 @@ def measure(run: Run) -> Pictures:
         where=where,
         turns=turns,
         difference=metrics.rmse(ours, reference),
-        on_strands=metrics.rmse(ours[seen], reference[seen]),
+        on_strands=metrics.rmse(ours[seen], reference[seen]) if seen.any() else None,
         noise=noise,
     )
 
