@@ -41,7 +41,7 @@ class Pictures:
         where: the scene, the picture, the samples.
         turns: of both, everything anew; scenes are loaded, and programs compiled, before.
         difference: RMSE of linear RGB against Mitsuba's with many samples.
-        on_strands: the same of the pixels alone in which Mitsuba sees any; None where there are none.
+        on_strands: the same of the pixels in which Mitsuba sees any; None where there are none.
         noise: the whole picture's, of Mitsuba's with few samples.
     """
 
