@@ -174,30 +174,12 @@ def _curves(strands: Strands) -> str:
 def _description(
     strands: Strands, camera: Camera, size: tuple[int, int], path: pathlib.Path
 ) -> dict[str, Any]:
-    from mitsuba import ScalarTransform4f
-
-    width, height = size
-    look_at = ScalarTransform4f().look_at(
-        origin=list(camera.eye), target=list(camera.target), up=list(camera.up)
-    )
+    """The scene: a surface of albedo a sends back a cos of this light."""
     albedo = {"type": "rgb", "value": list(_ALBEDO)}
     return {
         "type": "scene",
         "integrator": {"type": "volpath", "max_depth": 2, "rr_depth": 1000},
-        "sensor": {
-            "type": "perspective",
-            "fov": camera.fov_deg,
-            "fov_axis": "y",
-            "to_world": look_at,
-            "film": {
-                "type": "hdrfilm",
-                "width": width,
-                "height": height,
-                "rfilter": {"type": "box"},
-                "pixel_format": "rgb",
-            },
-            "sampler": {"type": "independent"},
-        },
+        "sensor": _sensor(camera, size),
         "light": {
             "type": "directional",
             "direction": list(LIGHT),
@@ -212,4 +194,27 @@ def _description(
                 "nested": {"type": "diffuse", "reflectance": albedo},
             },
         },
+    }
+
+
+def _sensor(camera: Camera, size: tuple[int, int]) -> dict[str, Any]:
+    from mitsuba import ScalarTransform4f
+
+    width, height = size
+    look_at = ScalarTransform4f().look_at(
+        origin=list(camera.eye), target=list(camera.target), up=list(camera.up)
+    )
+    return {
+        "type": "perspective",
+        "fov": camera.fov_deg,
+        "fov_axis": "y",
+        "to_world": look_at,
+        "film": {
+            "type": "hdrfilm",
+            "width": width,
+            "height": height,
+            "rfilter": {"type": "box"},
+            "pixel_format": "rgb",
+        },
+        "sampler": {"type": "independent"},
     }

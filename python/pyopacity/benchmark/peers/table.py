@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from pyopacity import metrics
 from pyopacity.benchmark.clock import Turns, timed
@@ -59,24 +61,18 @@ def _brute_force(run: Run) -> Iterator[Row]:
     bias = float(np.mean(hair.width))
     points = np.asarray(hair.points, np.float64)
     by_numpy = Segments(hair, toward)
-    theirs = by_numpy.transmittance(points, bias)
-    found = {
-        _RAYS: trace_transmittance(scene, hair, bias=bias),
-        _MAPS: transmittance(scene, hair, map_size=run.plan.goals.map_size),
+    map_size = run.plan.goals.map_size
+    works: dict[str, Callable[[], npt.NDArray[np.floating[Any]]]] = {
+        _BRUTE: lambda: by_numpy.transmittance(points, bias),
+        _RAYS: lambda: trace_transmittance(scene, hair, bias=bias),
+        _MAPS: lambda: transmittance(scene, hair, map_size=map_size),
     }
-    turns = run.plan.clock.in_turns(
-        {
-            _BRUTE: timed(lambda: by_numpy.transmittance(points, bias)),
-            _RAYS: timed(lambda: trace_transmittance(scene, hair, bias=bias)),
-            _MAPS: timed(lambda: transmittance(scene, hair, map_size=run.plan.goals.map_size)),
-        }
-    )
+    found = {name: work() for name, work in works.items()}
+    turns = run.plan.clock.in_turns({name: timed(work) for name, work in works.items()})
     where = f"{hair_of(segments)} alone"
-    for ours, T in found.items():
-        told = (turns, _BRUTE, ours)
-        yield _row(
-            "numpy, brute force", f"{ours}, without OpenGL", where, told, metrics.rmse(T, theirs)
-        )
+    for ours in (_RAYS, _MAPS):
+        told, difference = (turns, _BRUTE, ours), metrics.rmse(found[ours], found[_BRUTE])
+        yield _row("numpy, brute force", f"{ours}, without OpenGL", where, told, difference)
 
 
 def _row(
@@ -88,8 +84,7 @@ def _row(
     note: str = "",
 ) -> Row:
     row: Row = {"peer": peer, "ours": ours, "where": where}
-    figures = dict.fromkeys(("peer, s", "ours, s", "peer / ours", "rounds"))
-    row |= figures
+    row |= dict.fromkeys(("peer, s", "ours, s", "peer / ours", "rounds"))
     if timed_as is not None:
         turns, theirs, own = timed_as
         seconds = turns.median(theirs), turns.median(own)
