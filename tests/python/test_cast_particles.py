@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
-import reference
+from pyopacity.stress import oracle
 from scenes import CASTING
 
 DOWN = (0.0, 0.0, -1.0)
@@ -49,7 +49,7 @@ def test_the_area_is_that_of_the_discs(needs_gl, device, radius_px, profile, opa
     with seen(scene, technique, size, device) as r:
         r.transmittance(np.zeros((1, 3)))
         total = r.read("bounding_opacity_maps/opacity")[..., 3].astype(np.float64)
-        texel = 1.0 / reference.texels_per_unit(r.light_from_world)
+        texel = 1.0 / oracle.texels_per_unit(r.light_from_world)
     area = float(-np.expm1(-total).sum()) * texel**2
     opacity = min(float(np.float32(opacity)), 1.0 - 2.0**-24)
     expected = len(centers) * covered_area(radius_px / 256, opacity, profile)

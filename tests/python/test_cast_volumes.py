@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
-import reference
+from pyopacity.stress import oracle
 from scenes import CASTING, SUMS_ALONE, TRANSLUCENT
 
 DIRECTIONS = [
@@ -173,7 +173,7 @@ def test_what_is_empty_is_not_drawn(needs_gl):
         r.transmittance(np.zeros((1, 3)))
         start = r.read("bounding_opacity_maps/start")
         end = r.read("bounding_opacity_maps/end")
-        length = reference.depth_range(r.light_from_world)
+        length = oracle.depth_range(r.light_from_world)
     covered = end > 0.0
     assert covered.sum() == 16  # one voxel is 4 x 4 texels
     assert np.allclose((end - start)[covered] * length, 1.0, atol=1e-3)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
-import reference
+from pyopacity.stress import oracle
 from scenes import tangle
 
 LIGHT = (0.5, 0.3, -0.8)
@@ -22,7 +22,7 @@ def deposited(scene_shapes, map_size, direction=LIGHT):
         planes = r.read("bounding_opacity_maps/opacity")
         matrix = r.light_from_world
     total = planes[..., 3].sum(dtype=np.float64)  # plane 4 of 4: all of it
-    return total / reference.texels_per_unit(matrix) ** 2, matrix
+    return total / oracle.texels_per_unit(matrix) ** 2, matrix
 
 
 def ribbon_area(points, offsets, width, direction=LIGHT):
@@ -83,10 +83,10 @@ def test_the_map_holds_what_float64_says(needs_gl, opacity):
     for width in (0.02, 0.9):
         total, matrix = deposited(po.Strands(points, offsets, width=width, opacity=opacity), 64)
         n = len(points)
-        lists = reference.deposit(
+        lists = oracle.deposit(
             points, offsets, np.full(n, width), np.full(n, float(np.float32(opacity))), matrix, 64
         )
-        expected = lists.total_optical_depth / reference.texels_per_unit(matrix) ** 2
+        expected = lists.total_optical_depth / oracle.texels_per_unit(matrix) ** 2
         assert total == pytest.approx(expected, rel=2e-4)
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pyopacity as po
-import reference
+from pyopacity.stress import oracle
 from scenes import tangle
 
 LIGHT = (0.5, 0.3, -0.8)
@@ -27,7 +27,7 @@ def total_optical_depth(rule: str, map_size: int, opacity: float = 0.3, width: f
 def test_a_fragment_in_each_column_that_a_segment_passes(map_size: int) -> None:
     opacity = 0.4
     got, matrix, points, offsets = total_optical_depth("paper", map_size, opacity)
-    p = reference.light_points(matrix, points)
+    p = oracle.light_points(matrix, points)
     inside = ((p[:, :2] > 0) & (p[:, :2] < map_size)).all()
     assert inside
     columns = 0
@@ -47,7 +47,7 @@ def test_it_depends_on_the_maps_size_where_areas_do_not() -> None:
         found = []
         for size in sizes:
             total, matrix, *_ = total_optical_depth(rule, size, opacity=0.01)
-            found.append(total / reference.texels_per_unit(matrix) ** 2)
+            found.append(total / oracle.texels_per_unit(matrix) ** 2)
         return found
 
     area, paper = per_area("area"), per_area("paper")

@@ -123,11 +123,6 @@ def test_bounds_have_the_bits_of_blended_ones(needs_gl, technique):
     assert (blended.start < 1).mean() > 0.1
 
 
-def test_ten_runs_have_the_same_bits(needs_gl):
-    runs = {Asked(every_kind(LIGHTS["directional"]()), deposit="scatter").bits() for _ in range(10)}
-    assert len(runs) == 1
-
-
 def test_the_order_of_casters_is_in_no_bit(needs_gl):
     points, offsets = tangle(3, strands=400, points=9, step=0.4)
     order = np.random.default_rng(0).permutation(400)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 import pytest
 
 import pyopacity as po
-import reference
+from pyopacity.stress import oracle
 from scenes import tangle
 
 Array = npt.NDArray[np.float64]
@@ -40,7 +40,7 @@ def axis_weights(kernel: str, position: float, radius: float) -> dict[int, float
 
 
 def expected(
-    lists: reference.TexelLists, p: Array, bias: float, kernel: str, radius: float, domain: str
+    lists: oracle.TexelLists, p: Array, bias: float, kernel: str, radius: float, domain: str
 ) -> float:
     transmittance = optical_depth = 0.0
     for column, wx in axis_weights(kernel, p[0], radius).items():
@@ -60,7 +60,7 @@ class Hair:
     scene: po.Scene
     points: Array  # some of the strands' own
     matrix: Array  # world to the light's map
-    lists: reference.TexelLists
+    lists: oracle.TexelLists
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +72,7 @@ def hair() -> Hair:
         renderer.transmittance(points)
         matrix = renderer.light_from_world
     width, opacity = np.full(len(points), 0.25), np.full(len(points), 0.5)
-    lists = reference.deposit(points, offsets, width, opacity, matrix, MAP_SIZE)
+    lists = oracle.deposit(points, offsets, width, opacity, matrix, MAP_SIZE)
     return Hair(scene, np.ascontiguousarray(points[::8]), matrix, lists)
 
 
@@ -99,11 +99,11 @@ def test_weights_are_the_kernels(
     got = po.transmittance(hair.scene, hair.points, technique, MAP_SIZE)
     radius = extent.get("filter_radius", 0.5)
     if "filter_width" in extent:
-        radius = 0.5 * extent["filter_width"] * reference.texels_per_unit(hair.matrix)
-    bias_ls = bias / reference.depth_range(hair.matrix)
+        radius = 0.5 * extent["filter_width"] * oracle.texels_per_unit(hair.matrix)
+    bias_ls = bias / oracle.depth_range(hair.matrix)
     wanted = [
         expected(hair.lists, p, bias_ls, kernel, radius, domain)
-        for p in reference.light_points(hair.matrix, hair.points)
+        for p in oracle.light_points(hair.matrix, hair.points)
     ]
     assert np.abs(got - wanted).max() < 1e-3
 

@@ -4,18 +4,16 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.polynomial import legendre
 
 import pyopacity as po
 from layer_errors import LIGHT, Errors, hair, rmse
+from pyopacity.stress.series import BASES, between_0_and_10, depths, functions, inset_of
 from scenes import random_shapes
 
 FOM, OSM = "fourier_opacity_maps", "opacity_shadow_maps"
 DOM, BOM = "deep_opacity_maps", "bounding_opacity_maps"
 DOWN = po.DirectionalLight((0.0, 0.0, -1.0))
-BASES = ["fourier", "piecewise_constant", "cosine", "legendre"]
 DEVICES = pytest.mark.parametrize("device", ["cpu", "gpu"])
-AUTO_MARGIN = {"fourier": 1 / 3}  # by the number of harmonics; others have none
 
 
 @pytest.fixture(scope="module")
@@ -41,80 +39,9 @@ def square(height: float, optical_depth: float, middle: float = 0.0, half: float
     return po.Mesh(corners + (middle, 0.0, height), triangles, opacity=opacity)
 
 
-def between_0_and_10(*shapes: po.Shape) -> po.Scene:
-    """Squares aside, at heights 10 and 0, hold the depths: from 10 to somewhat below 0."""
-    ends = [square(height, 0.5, middle=-9.0, half=1.0) for height in (10.0, 0.0)]
-    return po.Scene([*ends, *shapes], DOWN)
-
-
-def depths(r: po.Renderer, heights: Any) -> np.ndarray:
-    """Of light space, 0 .. 1, after a question."""
-    return r.light_from_world[2, 2] * np.asarray(heights, float) + r.light_from_world[2, 3]
-
-
 def under_the_middle(heights: Any) -> np.ndarray:
     heights = np.asarray(heights, float)
     return np.stack([np.full_like(heights, 0.3), np.full_like(heights, 0.2), heights], axis=1)
-
-
-# ---- the series, by the formulas in float64 ----
-
-
-def functions(basis: str, count: int, z: np.ndarray) -> np.ndarray:
-    """f_k at z: (count, points)."""
-    k = np.arange(count)[:, None]
-    if basis == "fourier":
-        angle = 2 * np.pi * ((k + 1) // 2) * z
-        return np.where(k % 2 == 1, np.cos(angle), np.where(k == 0, 1.0, np.sin(angle)))
-    if basis == "cosine":
-        return np.cos(np.pi * k * z)
-    if basis == "legendre":
-        return legendre.legvander(2 * z - 1, count - 1).T
-    return (np.minimum(z * count, count - 0.5).astype(int) == k).astype(float)
-
-
-def norms(basis: str, count: int) -> np.ndarray:
-    """1 / the integral of f_k^2: what makes f_k times it the dual of f_k."""
-    k = np.arange(count)
-    if basis == "legendre":
-        return 2.0 * k + 1.0
-    return np.full(count, float(count)) if basis == "piecewise_constant" else np.where(k, 2.0, 1.0)
-
-
-def inset_of(basis: str, count: int) -> float:
-    margin = AUTO_MARGIN.get(basis, 0.0) / (count // 2)
-    return margin / (1 + 2 * margin)
-
-
-def series(basis: str, count: int, caster: float, places: np.ndarray) -> np.ndarray:
-    """The part of a caster before each place: integrals of the series, by the midpoint rule."""
-    inset = inset_of(basis, count)
-    at, to = (inset + (1 - 2 * inset) * np.atleast_1d(x) for x in (caster, places))
-    steps = (np.arange(2000) + 0.5) / 2000
-    z = to[:, None] * steps
-    density = norms(basis, count) * functions(basis, count, at)[:, 0]
-    return to * np.mean(
-        np.einsum("k,kpz->pz", density, functions(basis, count, z.ravel()).reshape(-1, *z.shape)),
-        axis=1,
-    )
-
-
-@DEVICES
-@pytest.mark.parametrize("basis", BASES)
-def test_a_sheet_is_its_series(device: str, basis: str, request: pytest.FixtureRequest) -> None:
-    if device == "gpu":
-        request.getfixturevalue("needs_gl")
-    heights = np.linspace(9.9, 0.1, 57)
-    for count, optical_depth in ((3, 0.1), (8, 1.0), (15, 20.0), (63, 2.0)):
-        # T of more than 16.6 is that of an opaque caster.
-        sheets = [square(6.3, optical_depth / 2) for _ in range(2)]
-        parameters = {"coefficients": count, "basis": basis, "bias": 0}
-        with renderer(between_0_and_10(*sheets), device, **parameters) as r:
-            T = r.transmittance(under_the_middle(heights))
-            part = series(basis, count, depths(r, 6.3), depths(r, heights))
-        expected = np.exp(-optical_depth * np.clip(part, 0.0, 1.0))
-        tolerance = 1e-4 if basis != "piecewise_constant" else 1e-2  # of the midpoint rule
-        assert pytest.approx(expected, abs=tolerance) == T
 
 
 @DEVICES
@@ -133,7 +60,7 @@ def test_intervals_are_integrated(device: str, basis: str, request: pytest.Fixtu
             x, y = (to_light[:2, :3] @ [0.3, 0.2, 5.0] + to_light[:2, 3]).astype(int)
             found = r.read(f"{FOM}/coefficients")[:, y, x].ravel()[:count]
             steps = (np.arange(20000) + 0.5) / 20000
-            z = depths(r, bottom + length * steps)
+            z = depths(r.light_from_world, bottom + length * steps)
         inset = inset_of(basis, count)
         expected = 0.8 * functions(basis, count, inset + (1 - 2 * inset) * z).mean(axis=1)
         assert found == pytest.approx(expected, abs=3e-4 if length > 1e-3 else 3e-3)

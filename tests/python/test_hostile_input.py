@@ -253,24 +253,3 @@ def test_the_brightest_picture_is_finite(renderer: po.Renderer) -> None:
         shape.color = (1e9, 1e9, 1e9)
     picture = renderer.render()
     assert np.isfinite(picture).all() and picture.max() > 1e20
-
-
-@pytest.mark.gl
-def test_degenerate_shapes_render(small: dict[str, Any]) -> None:
-    point = np.zeros((4, 3))
-    shapes = [
-        po.Strands(point, np.array([0, 2, 2, 3, 4]), width=0.1),  # zero length, none, one point
-        po.Strands(np.zeros((0, 3)), np.array([0])),
-        po.Strands(np.array([[0.0, 0, 0], [0, 0, 1]]), np.array([0, 2]), width=0.0),
-        po.Mesh(point, np.array([[0, 1, 2], [3, 3, 3]]), opacity=0.5),
-        po.Mesh(np.zeros((0, 3)), np.zeros((0, 3), np.int64)),
-        po.Strands(np.array([[1e-30, 0, 0], [0, 1e-30, 0]]), np.array([0, 2]), width=1e-30),
-    ]
-    for technique in po.techniques():
-        for chosen in [*([shape] for shape in shapes), shapes]:
-            scene = po.Scene(chosen, po.DirectionalLight())
-            with po.Renderer(scene, technique=technique, **small) as renderer:
-                assert np.isfinite(renderer.render()).all()
-                light = renderer.transmittance(np.random.default_rng(0).normal(size=(20, 3)))
-                assert ((light >= 0.0) & (light <= 1.0)).all()
-            scene.remove(chosen)

@@ -90,33 +90,6 @@ def test_a_light_far_away_casts_the_shadow_of_a_directional_one():
     assert np.sqrt(np.mean((far - at_infinity) ** 2)) < 0.05  # their texels lie elsewhere
 
 
-def test_no_shadow_behind_the_light_or_in_front_of_all_casters():
-    sheet = po.Mesh(
-        np.array([(-1.0, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]),
-        np.array([(0, 1, 2), (0, 2, 3)]),
-        opacity=0.5,
-    )
-    scene = po.Scene(sheet, po.SpotLight((0, 0, 1), (0, 0, -1), 120))
-    behind_light, in_front, behind_sheet = po.transmittance(
-        scene, np.array([(0.1, 0.1, 3.0), (0.1, 0.1, 0.5), (0.1, 0.1, -0.5)])
-    )
-    assert behind_light == in_front == 1.0
-    assert behind_sheet == pytest.approx(0.5, abs=1e-3)
-
-
-@pytest.mark.parametrize("light", [(0.0, 0.0, 0.0), (1e-9, 0.0, 0.0), (0.5, -0.2, 0.1)])
-def test_a_light_at_a_vertex_or_within_a_caster_gives_no_nan(light):
-    at_origin = np.zeros((1, 3))
-    for shape in (
-        po.Strands(np.array([(0.0, 0, 0), (0, 0, 1)]), np.array([0, 2]), width=0.1),
-        po.Particles(at_origin, radius=1.0, opacity=0.5),
-        po.Volume(np.ones((4, 4, 4)), origin=(-1.5, -1.5, -1.5)),
-    ):
-        T = po.transmittance(po.Scene(shape, po.PointLight(light)), points(200), map_size=32)
-        assert np.isfinite(T).all()
-        assert ((T >= 0) & (T <= 1)).all()
-
-
 def test_an_area_light_is_the_mean_of_its_points():
     area = LIGHTS["area"]
     corners = [(x, y, 3.0) for y in (-0.25, 0.25) for x in (-0.25, 0.25)]

@@ -3,6 +3,12 @@
 #include "lib/interval.glsl"
 #include "lib/opacity.glsl"
 
+// Optical depth that grows evenly from one plane to the next. Rounding makes it nowhere more than
+// what the next plane has: T never rises along the light.
+float rising_line(float before, float behind, float along) {
+    return min(before + along * (behind - before), behind);
+}
+
 // Its optical depth in front of x: it grows evenly about the mean position, as far as the nearer
 // plane. Of FEW_CASTERS: the mean of T if it is that of two, each anywhere there. `held`: optical
 // depth, and the same times position.

@@ -104,7 +104,7 @@ float between_planes(ivec2 texel, int curve, int layer, float x, vec3 own) {
 float between_planes(ivec2 texel, int curve, int layer, float x, vec3 own) {
     float low = plane(curve, layer), along = (x - low) / (plane(curve, layer + 1) - low);
     float before = plane_optical_depth(texel, layer), behind = plane_optical_depth(texel, layer + 1);
-    return mix(before, behind, along) - own.z * counted(curve, own.x, own.y, layer, along);
+    return rising_line(before, behind, along) - own.z * counted(curve, own.x, own.y, layer, along);
 }
 #endif
 

@@ -12,6 +12,7 @@ namespace opacity::bindings {
 namespace py = pybind11;
 
 void bind_errors(py::module_& module);
+void bind_core(py::module_& module);
 void bind_params(py::module_& module);
 void bind_shapes(py::module_& module);
 void bind_media(py::module_& module);

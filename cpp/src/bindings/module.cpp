@@ -7,6 +7,7 @@ PYBIND11_MODULE(_native, module) {
         "The C++ engine as pyopacity's classes see it. Private: no name here is a promise.";
     module.def("version", &opacity::version, "The engine's version, \"major.minor.patch\".");
     bind_errors(module);
+    bind_core(module);
     bind_params(module);
     bind_shapes(module);
     bind_media(module);

@@ -4,16 +4,35 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include "opacity/core/error.hpp"
 
 namespace opacity {
 namespace {
 
 using Work = std::function<void(std::size_t, const std::stop_token&)>;
+
+constexpr std::size_t most_threads = 1024;
+
+// As many as OPACITY_THREADS says, or one a core.
+std::size_t usual_threads() {
+    const char* variable = std::getenv("OPACITY_THREADS");
+    if (!variable || !*variable) return std::max(1u, std::thread::hardware_concurrency());
+    char* end = nullptr;
+    const unsigned long threads = std::strtoul(variable, &end, 10);
+    if (*end || threads < 1 || threads > most_threads)
+        throw ParameterError(
+            "OPACITY_THREADS=" + std::string{variable} + " is no number of threads",
+            "unset it for one a core, or set it to 1.." + std::to_string(most_threads));
+    return threads;
+}
 
 // Shared by the threads of one call.
 class Crew {
@@ -79,9 +98,9 @@ class Crew {
 
 void in_parallel(std::size_t count, int threads, const Work& work,
                  const std::function<void(double)>& watch) {
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t most = threads > 0 ? std::size_t(threads) : usual_threads();
     Crew crew{count, work};
-    crew.hire(std::min(count, threads > 0 ? std::size_t(threads) : cores));
+    crew.hire(std::min(count, most));
     crew.watch(watch);
 }
 

@@ -8,9 +8,9 @@
 
 namespace opacity {
 
-// Does work(0) .. work(count - 1), each once, on up to `threads` threads (0: one a core). The
-// calling thread meanwhile calls watch(fraction done) some twenty times a second. What either
-// throws stops the work, and is thrown here once no thread is left.
+// Does work(0) .. work(count - 1), each once, on up to `threads` threads; 0: OPACITY_THREADS of the
+// environment, or one a core. The calling thread meanwhile calls watch(fraction done) some twenty
+// times a second. What either throws stops the work, and is thrown here once no thread is left.
 void in_parallel(std::size_t count, int threads,
                  const std::function<void(std::size_t, const std::stop_token&)>& work,
                  const std::function<void(double)>& watch);

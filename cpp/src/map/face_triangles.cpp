@@ -68,12 +68,14 @@ class FaceTriangle {
         float3 even;
         for (std::size_t i = 0; i < 3; ++i) even[i] = weights[i] / vertices_[i].forward;
         const float sum = even[0] + even[1] + even[2];
+        for (float& part : even) part /= sum;
         Vertex result;
+        result.opacity = between_corners(even.data(), vertices_[0].opacity, vertices_[1].opacity,
+                                         vertices_[2].opacity);
         for (std::size_t i = 0; i < 3; ++i) {
-            const float part = even[i] / sum;
+            const float part = even[i];
             result.q = plus(result.q, scaled(vertices_[i].q, part));
             result.forward += part * vertices_[i].forward;
-            result.opacity += part * vertices_[i].opacity;
             for (std::size_t k = 0; k < 2; ++k) result.uv[k] += part * vertices_[i].uv[k];
         }
         return result;

@@ -9,6 +9,12 @@
 
 namespace opacity {
 
+// Optical depth that grows evenly from one plane to the next. Rounding makes it nowhere more than
+// what the next plane has: T never rises along the light.
+inline float rising_line(float before, float behind, float along) {
+    return std::min(before + along * (behind - before), behind);
+}
+
 struct LayerHeld {
     float optical_depth = 0.f, moment = 0.f;  // the same times position
 };

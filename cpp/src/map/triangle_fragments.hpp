@@ -2,6 +2,7 @@
 // and casters/mesh.frag.glsl.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -9,6 +10,12 @@
 #include "map/fragment_source.hpp"
 
 namespace opacity {
+
+// A value, not below 0, by its corners'; exactly that of all three where it is one, such as an
+// opacity of 1 - 2^-24 or the depth of a surface across the light.
+inline float between_corners(const float* weights, float a, float b, float c) {
+    return std::max(0.f, a + (weights[1] * (b - a) + weights[2] * (c - a)));
+}
 
 // The texels within the rows whose middle one triangle covers, with their weights of its corners;
 // and its slope, by which it is moved away from the light.
@@ -79,11 +86,10 @@ void triangle_fragments(const LightCaster& caster, std::size_t first, const Frag
     for (std::size_t i = 0; i < 3; ++i) points[i] = source.split.place(caster.points[corner[i]]);
     const TriangleCoverage coverage{caster, corner, points};
     triangle_texels(points, source.space, rows, [&](const TriangleTexel& t) {
-        float depth = 0.f, opacity = 0.f;
-        for (int i = 0; i < 3; ++i) {
-            depth += t.weights[i] * points[i][2];
-            opacity += t.weights[i] * caster.opacity_at(corner[i]);
-        }
+        float depth = between_corners(t.weights, points[0][2], points[1][2], points[2][2]);
+        const float opacity =
+            between_corners(t.weights, caster.opacity_at(corner[0]), caster.opacity_at(corner[1]),
+                            caster.opacity_at(corner[2]));
         const float covered = coverage.at(float(t.x) + 0.5f, float(t.y) + 0.5f);
         if (!(covered > 0.f)) return;
         if (source.moved_back) depth += t.margin;

@@ -50,6 +50,8 @@ class LayerPlanes : public TexelSpans {
                                std::size_t(last_plane_ + 1));
     }
     int last_plane() const { return last_plane_; }
+    // Where nothing casts, the pass that lays them may not have run, or not for so many layers.
+    bool are_laid() const { return planes_.size() > std::size_t(last_plane_); }
     float counted_part(std::size_t texel, float begin, float end_depth) const {
         if (!ignores_beyond_) return 1.f;
         if (!(end_depth > begin)) return begin > end(texel) ? 0.f : 1.f;
@@ -230,7 +232,7 @@ class LayeredTexels : public TexelMap {
           interpolation_{interpolation} {}
 
     float optical_depth(std::size_t texel, float depth, const OwnDeposit& own) const override {
-        if (!(depth > planes_.start(texel))) return 0.f;
+        if (!(depth > planes_.start(texel)) || !planes_.are_laid()) return 0.f;
         const float counted = planes_.counted_part(texel, own.depth, own.depth_end);
         const OwnDeposit placed{planes_.position(texel, own.depth),
                                 planes_.position(texel, own.depth_end),
@@ -269,7 +271,7 @@ class LayeredTexels : public TexelMap {
         const float part = counted(planes, own.depth, own.depth_end, layer, along);
         const float before = map_.optical_depth(texel, layer);
         const float behind = map_.optical_depth(texel, layer + 1);
-        return before * (1.f - along) + behind * along - own.optical_depth * part;
+        return rising_line(before, behind, along) - own.optical_depth * part;
     }
     float about_mean(std::size_t texel, int layer, float x, const OwnDeposit& own) const {
         const std::span<const float> planes = planes_.of(texel);

@@ -10,7 +10,7 @@ from typing import NoReturn
 
 import pyopacity as po
 from pyopacity._cmake import cmake_dir
-from pyopacity.cli import bench, compare, doctor, info, render, techniques, tune
+from pyopacity.cli import bench, compare, doctor, info, render, stress, techniques, tune
 from pyopacity.cli.text import clear_progress
 
 INTERRUPTED = 130
@@ -73,7 +73,7 @@ def _parser() -> Parser:
         "--cmake-dir", action=PrintCmakeDir, help="print the folder for cmake -Dopacity_DIR="
     )
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in (render, compare, bench, tune, techniques, info, doctor):
+    for command in (render, compare, bench, stress, tune, techniques, info, doctor):
         command.add_to(commands)
     return parser
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -77,7 +78,9 @@ def deposit(
     return TexelLists(size, dict(lists))
 
 
-def _segment(p: Array, width: Array, opacity: Array, i: int):
+def _segment(
+    p: Array, width: Array, opacity: Array, i: int
+) -> Iterator[tuple[tuple[int, int], Fragment]]:
     dx, dy = (p[i + 1] - p[i])[:2]
     major = 1 if abs(dy) > abs(dx) else 0
     minor = 1 - major

@@ -1,0 +1,245 @@
+"""The stress suite, small: what ``pyopacity stress`` asks, and what its verdicts mean."""
+
+import json
+import math
+import pathlib
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import pyopacity as po
+from pyopacity.cli import stress as command
+from pyopacity.comparison import available_device
+from pyopacity.stress import (
+    CASES,
+    EXCEPTIONS,
+    Bench,
+    Case,
+    Finding,
+    NamedException,
+    Verdict,
+    Way,
+    chance,
+    chosen,
+    judge,
+)
+from pyopacity.stress.exceptions import exception_of, table
+from pyopacity.stress.way import ALL, parameters_of, ways
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Of the definitions: a row of what must hold has a case, or several.
+ROWS = {
+    "opacity edge",
+    "opacity bad",
+    "positions bad",
+    "accumulate",
+    "thin object",
+    "boundary",
+    "self",
+    "outlier",
+    "near/far 1e6",
+    "offset",
+    "light",
+    "empty",
+    "all opaque",
+    "one layer",
+    "one fragment",
+    "split curve",
+    "correlation",
+    "FOM",
+    "silhouette",
+    "Beer-Lambert",
+    "metamorphic",
+    "monotone",
+    "determinism",
+    "skip",
+}
+
+
+def marked(case: Case) -> Any:
+    return pytest.param(case, id=case.name, marks=[pytest.mark.slow] * case.is_slow)
+
+
+MARKED = [marked(case) for case in CASES]
+
+# All techniques on the CPU; with OpenGL those that a change of shaders shows first. These are
+# compiled for each scene anew, which takes minutes in software. The command asks all of them.
+ON_GPU = ("bounding_opacity_maps", "exact")
+
+
+@pytest.fixture(scope="module")
+def devices() -> tuple[Any, ...]:
+    return ("gpu", "cpu") if available_device() == "gpu" else ("cpu",)
+
+
+@pytest.mark.parametrize("case", MARKED)
+def test_holds(case: Case, devices: tuple[Any, ...]) -> None:
+    with Bench(devices, on_gpu=ON_GPU) as bench:
+        verdicts = judge(case, bench)
+    for verdict in verdicts:
+        worst = verdict.worst
+        assert verdict.verdict != "FAILS", f"{worst.way}: {worst.error:.3g}, {worst.got}"
+
+
+@pytest.mark.parametrize("case", MARKED)
+def test_says_what_is_right_and_why(case: Case) -> None:
+    assert case.input and case.right and case.of and case.tolerance >= 0.0
+    assert len(case.derivation) > 40
+
+
+def test_every_row_has_cases() -> None:
+    assert {case.row for case in CASES} == ROWS
+    assert len({case.name for case in CASES}) == len(CASES)
+
+
+# ---- exceptions ----
+
+
+def test_every_exception_is_needed() -> None:
+    """One that no way has any more is taken out, and one that has shrunk is told anew."""
+    names = dict.fromkeys(exception.case for exception in EXCEPTIONS)
+    found: dict[NamedException, float] = {}
+    with Bench(["cpu"]) as bench:
+        for case in CASES:
+            if case.name in names and not case.is_slow:
+                for verdict in judge(case, bench):
+                    if verdict.exception:
+                        found[verdict.exception] = verdict.worst.error - case.tolerance
+    assert [exception for exception, beyond in found.items() if beyond <= 0.0] == []
+
+
+def test_docs_list_the_exceptions() -> None:
+    assert table() in (ROOT / "docs/accuracy.md").read_text("utf-8")
+
+
+def test_an_exception_is_about_its_own_ways() -> None:
+    for exception in EXCEPTIONS:
+        assert any(case.name == exception.case for case in CASES), exception
+        assert exception.size > next(c.tolerance for c in CASES if c.name == exception.case)
+    assert exception_of("no such case", f"cpu {ALL[0]}") is None
+
+
+# ---- verdicts ----
+
+
+def of(*errors: float, tolerance: float = 0.5) -> list[Verdict]:
+    def find(bench: Bench) -> Iterator[Finding]:
+        """Errors that are given, to see what becomes of them."""
+        yield from (Finding(Way("cpu", ALL[0]), error, "") for error in errors)
+
+    case = Case("row", "name", "in", "right", tolerance, "T", find, False)
+    with Bench(["cpu"]) as bench:
+        return judge(case, bench)
+
+
+@pytest.mark.parametrize(
+    ("errors", "verdict"),
+    [
+        ((0.1, 0.5), "holds"),
+        ((0.1, 0.51), "FAILS"),
+        ((0.1, math.nan), "FAILS"),
+        ((math.nan, 0.1), "FAILS"),
+        ((math.inf,), "FAILS"),
+    ],
+)
+def test_the_worst_answer_decides(errors: tuple[float, ...], verdict: str) -> None:
+    (found,) = of(*errors)
+    assert found.verdict == verdict
+
+
+def test_an_error_of_the_engine_fails_the_case() -> None:
+    def find(bench: Bench) -> Iterator[Finding]:
+        """It breaks."""
+        raise po.ShaderError("it broke", "mend it")
+        yield
+
+    case = Case("row", "name", "in", "right", 1.0, "T", find, False)
+    with Bench(["cpu"]) as bench:
+        (verdict,) = judge(case, bench)
+    assert verdict.verdict == "FAILS" and "it broke" in verdict.worst.got
+
+
+def test_names_choose_rows_and_cases() -> None:
+    assert chosen([]) == list(CASES)
+    assert {case.row for case in chosen(["OPACITY*"])} == {"opacity edge", "opacity bad"}
+    assert [case.name for case in chosen(["thin_surface"])] == ["thin_surface"]
+    with pytest.raises(po.ParameterError, match="no row or case"):
+        chosen(["opcaity"])
+
+
+def test_every_way_to_deposit_is_asked() -> None:
+    on_gpu, on_cpu = (ways([device], ALL, papers=True) for device in ("gpu", "cpu"))
+    for name in ALL:
+        if "deposit" in parameters_of(name):
+            given = {way.given("deposit") for way in on_gpu if way.technique == name}
+            assert given >= {"blend", "scatter"}
+    assert {way.technique for way in on_cpu} == set(ALL)
+
+
+# ---- random cases ----
+
+
+@settings(
+    max_examples=15,
+    derandomize=True,
+    deadline=None,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(seed=st.integers(0, 2**31 - 1))
+def test_chance_breaks_nothing(seed: int) -> None:
+    with Bench(["cpu"]) as bench:
+        assert list(chance.judge(bench, chance.draw(seed))) == []
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("seed", range(3))
+def test_chance_breaks_nothing_on_a_driver(seed: int, devices: tuple[Any, ...]) -> None:
+    with Bench(devices) as bench:
+        assert list(chance.judge(bench, chance.draw(seed))) == []
+
+
+def test_a_seed_draws_the_same_again() -> None:
+    first, second = (chance.draw(11) for _ in range(2))
+    assert str(first) == str(second) and first.techniques == second.techniques
+    assert np.array_equal(first.asked, second.asked)
+
+
+# ---- the command ----
+
+
+def test_the_command_tells_each_verdict(capsys: pytest.CaptureFixture[str]) -> None:
+    from pyopacity.cli import main
+
+    assert main(["stress", "--only", "split*", "--only", "thin_*", "--device", "cpu"]) == 0
+    told = capsys.readouterr().out
+    assert re.search(r"^\d+ hold, \d+ named exceptions, 0 fail$", told, re.MULTILINE)
+    assert "right answer" in told and "z0 = z1" in told
+    assert main(["stress", "--only", "thin_surface", "--device", "cpu", "--json"]) == 0
+    (record,) = json.loads(capsys.readouterr().out)
+    assert record["verdict"] == "holds" and record["error"] <= record["tolerance"] == 1e-6
+
+
+def test_a_failure_is_the_exit_code(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from pyopacity.cli import main
+
+    def find(bench: Bench) -> Iterator[Finding]:
+        """A wrong answer."""
+        yield Finding(None, 2.0, "2")
+
+    wrong = Case("row", "name", "in", "right", 1.0, "T", find, False)
+    monkeypatch.setattr(command, "chosen", lambda only: [wrong])
+    assert main(["stress", "--device", "cpu"]) == command.FAILED == 1
+    assert "FAILS" in capsys.readouterr().out
+
+
+def test_bad_options_are_refused(python: Callable[..., Any]) -> None:
+    for bad in (["--only", "nothing"], ["--device", "tpu"], ["--seed", "-1"], ["--long", "-1"]):
+        result = python("-m", "pyopacity", "stress", *bad)
+        assert result.returncode == 2 and "fix:" in result.stderr
