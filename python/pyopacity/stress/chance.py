@@ -148,12 +148,19 @@ def bounded(bench: Bench, of: Draw, way: Way) -> list[str]:
     T = bench.T(way, scene, of.lines.reshape(-1, 3), of.map_size).reshape(of.lines.shape[:2])
     exception = exception_of(hardly_rises.name, str(Way(way.device, way.technique)))
     rise = float(np.diff(T, axis=1).max())
-    most = OF_TEXELS * max(of.map_size / 64.0, 1.0)
-    # A square of the world is fewer texels the farther it is from a light at a place.
-    is_even = isinstance(of.light, DirectionalLight) or way.given("filter_width") is None
-    if exception is None and is_even and not rise <= most:
+    if exception is None and not rise <= _most_rise(of, way):
         problems.append(f"T rises by {rise:.3g}")
     return problems
+
+
+def _most_rise(of: Draw, way: Way) -> float:
+    """What rounded places may change: T runs from one texel to the next over a filter's width."""
+    if way.given("filter") == "none":
+        return 1.0  # a jump
+    if way.given("filter_width") is not None:
+        return 1.0  # fewer texels the farther it is from a light at a place, and perhaps a jump
+    radius = min(float(way.given("filter_radius") or 0.5), 0.5)
+    return OF_TEXELS * max(of.map_size / 64.0, 1.0) * 0.5 / max(radius, 1.0 / 1024.0)
 
 
 def forced(bench: Bench, of: Draw, way: Way) -> list[str]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fnmatch import fnmatch
+from typing import Literal
 
 # Every caster is opaque to it, so that no case about what is translucent has a right answer there.
 OPAQUE_ONLY = "shadow_map"
@@ -22,17 +23,21 @@ class NamedException:
         ways: patterns of what :class:`pyopacity.stress.way.Way` calls itself, any device in front.
         size: the largest error that is known, in the case's measure, with a little room.
         why: the nature of it.
+        only_on: the device, where the other one has nothing of it.
     """
 
     case: str
     ways: tuple[str, ...]
     size: float
     why: str
+    only_on: Literal["gpu", "cpu"] | None = None
 
     def is_about(self, case: str, way: str) -> bool:
         """Whether it is about this way of this case."""
-        _, _, own = way.partition(" ")
-        return case == self.case and any(fnmatch(own, pattern) for pattern in self.ways)
+        device, _, own = way.partition(" ")
+        if case != self.case or self.only_on not in (None, device):
+            return False
+        return any(fnmatch(own, pattern) for pattern in self.ways)
 
 
 BOM, AOM, AUTO = "bounding_opacity_maps*", "adaptive_opacity_maps*", "auto*"
@@ -48,7 +53,7 @@ _SLICES = "slices of the whole map: all surfaces lie in one"
 _BEHIND_FIRST = "the extent of its layers is that of the map's casters, not of the texel's"
 _SERIES = "7 coefficients tell no depths apart that are nearer than a seventh of the map's"
 _MOMENTS = "4 moments are exact of two casters"
-_ROUNDING = "moments multiply what float32 rounds"
+_ROUNDING = "moments multiply what float32 rounds, most where a texel holds everything"
 _PLANES = "bounds that are rounded anew move planes, and a caster in a layer of its own is a step"
 _STEEP = "seen where strands run along the light; why is not understood"
 _HALF_FLOAT = "sums of 11 bits"
@@ -94,10 +99,11 @@ EXCEPTIONS: tuple[NamedException, ...] = (
     NamedException("light_inside", (FOM,), 0.045, _SERIES),
     NamedException("light_inside", (MOMENTS,), 0.11, _MOMENTS),
     NamedException("light_inside", (LISTS,), 0.003, _BOUND),
-    NamedException("permuted", (MOMENTS,), 2e-3, _ROUNDING),
+    NamedException("permuted", (MOMENTS,), 0.03, _ROUNDING),
     NamedException("scaled", (BOM, AOM, AUTO), 1e-4, _PLANES),
     NamedException("scaled", (MOMENTS,), 1e-3, _ROUNDING),
     NamedException("never_rises", (FOM,), 0.15, "a series rings"),
+    NamedException("never_rises", (MOMENTS,), 2e-6, _ROUNDING, only_on="gpu"),
     NamedException("hardly_rises", (FOM,), 0.25, "a series rings"),
 )
 
@@ -109,8 +115,10 @@ def exception_of(case: str, way: str) -> NamedException | None:
 
 def table() -> str:
     """What docs/accuracy.md lists: a row for each."""
-    rows = [
-        f"| `{one.case}` | {', '.join(f'`{way}`' for way in one.ways)} | {one.size:g} | {one.why} |"
-        for one in EXCEPTIONS
-    ]
+    rows = [f"| `{one.case}` | {_ways(one)} | {one.size:g} | {one.why} |" for one in EXCEPTIONS]
     return "\n".join(["| case | of | size | why |", "|---|---|---|---|", *rows]) + "\n"
+
+
+def _ways(one: NamedException) -> str:
+    own = ", ".join(f"`{way}`" for way in one.ways)
+    return f"{own}, {one.only_on} alone" if one.only_on else own

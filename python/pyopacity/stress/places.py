@@ -206,16 +206,13 @@ def light_at_a_vertex(bench: Bench) -> Iterator[Finding]:
         hair(),
     ]
     asked = bench.random(5).uniform(-1.5, 1.5, (200, 3))
-    problems: dict[object, list[str]] = {way: [] for way in bench.ways(ALL)}
     for place in ((0.0, 0.0, 0.0), (1e-9, 0.0, 0.0), (0.5, -0.2, 0.1)):
-        for caster in casters:
-            scene = Scene(caster, PointLight(place))
-            points = np.concatenate([asked, [place]])
+        points = np.concatenate([asked, [place]])
+        for chosen in (casters[:1], casters):
+            scene = Scene(chosen, PointLight(place))
             for way in bench.ways(ALL):
                 T = bench.T(way, scene, points, 32)
-                if not (np.isfinite(T).all() and T.min() >= 0.0 and T.max() <= 1.0):
-                    problems[way].append(f"{caster!r}: {T.min()} .. {T.max()}")
-                if T[-1] != 1.0:
-                    problems[way].append(f"{caster!r} at {place}: T {T[-1]} at the light")
-    for way in bench.ways(ALL):
-        yield wrong(way, problems[way])
+                is_bad = not (np.isfinite(T).all() and T.min() >= 0.0 and T.max() <= 1.0)
+                problems = [f"light at {place}: {T.min()} .. {T.max()}"] * is_bad
+                problems += [f"T {T[-1]} at the light, {place}"] * bool(T[-1] != 1.0)
+                yield wrong(way, problems)

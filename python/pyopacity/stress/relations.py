@@ -91,7 +91,7 @@ def union(bench: Bench) -> Iterator[Finding]:
             Scene(*chosen, frame, *ends, light) for chosen in [shapes, *([s] for s in shapes)]
         ]
         for way in bench.ways():
-            T = [bench.T(way, scene, below, 128, filter="none") for scene in scenes]
+            T = [bench.T(way, scene, below, filter="none") for scene in scenes]
             yield apart(way, T[0], np.prod(T[1:], axis=0))
         bench.clear()
 
