@@ -153,7 +153,6 @@ def _head(name: str, bench: Bench, setting: _Setting) -> Row:
 def _work(bench: Bench, variant: Variant) -> Callable[[], Parts]:
     def look_up() -> Parts:
         bench.renderer.technique = variant.make()
-        bench.renderer.transmittance(_ANY_POINT)  # what it needs of memory is there then
         seconds, maps = time_of_look_ups(bench.renderer, bench.receivers)
         return {WHOLE: seconds, "maps": maps}
 
