@@ -11,6 +11,7 @@ requirements = [
     *pyproject["build-system"]["requires"],
     *project["dependencies"],
     *extras["compare"],
+    *extras["papers"],
     *extras["test"],
     *extras["dev"],
 ]

@@ -10,8 +10,8 @@ import pytest
 
 import pyopacity as po
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
-import thesis_splits
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs/papers"))
+from bounding_opacity_maps import _splits as thesis_splits
 
 MAP_SIZE = 128
 DIFFERENCES, CORRELATION = (f"{name}, thesis" for name in thesis_splits.THESIS)

@@ -1,29 +1,36 @@
 """The ratios of the tables A.11.1 to A.11.6 and 5.2.3.1 of the thesis, on generated scenes.
 
-    python benchmarks/thesis_splits.py [--map-size 256] > table.md
+    python docs/papers/bounding_opacity_maps/_splits.py [--map-size 256] > table.md
 
 In the paper's mode: its deposit, its look-up texture, linear interpolation, and its two measures on
 optical depth at 8 bits over all texels; beside them our forms of both measures in our mode. Prints
 the tables of docs/accuracy_tables.md. Maps of the CPU.
 """
 
-from __future__ import annotations
-
 import argparse
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
-import generated_scenes
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from common.scenes import ABOVE, SIDEWAYS
 
 import pyopacity as po
 
 MAPS = "bounding_opacity_maps"
-LIGHTS = generated_scenes.LIGHTS
+LIGHTS = {"above": ABOVE, "sideways": SIDEWAYS}
 SCENES = {
     "tree": "demo:tree?leaves=10000",
     "grass": "demo:grass?segments=20000",
     "dense grass": "demo:dense_grass?segments=100000",
+}
+SMALLEST = {
+    "tree": "demo:tree?leaves=300",
+    "grass": "demo:grass?segments=1000",
+    "dense grass": "demo:dense_grass?segments=3000",
 }
 # Of a leaf or a blade. In 8 bits an optical depth of 1 is all, so that the scenes' own opacities
 # leave nothing to compare.
