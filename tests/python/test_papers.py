@@ -27,7 +27,7 @@ def name_of(path: Path) -> str:
 
 def test_there_is_one_of_each_paper() -> None:
     assert {path.parent.name for path in SCRIPTS} == set(run_all.NAMES)
-    assert len(SCRIPTS) >= 20
+    assert len(SCRIPTS) >= 25
 
 
 @pytest.mark.gl

@@ -19,7 +19,8 @@ ABOVE, SIDEWAYS = (0.15, 0.1, -1.0), (1.0, 0.3, -0.25)
 FRONT, LEFT = (0.3, 1.0, -0.25), (0.4, -1.0, -0.3)  # in which a camera looks
 SKY = (0.42, 0.54, 0.68, 1.0)
 
-# The papers interpolate linearly, know no shadow of a receiver's own, and blend.
+# The papers interpolate linearly, know no shadow of a receiver's own, and blend; the thesis draws
+# the last depths in a pass of their own, with near and far plane swapped.
 PUBLISHED: dict[str, dict[str, Any]] = {
     "opacity_shadow_maps": {"own_correction": False, "deposit": "blend"},
     "deep_opacity_maps": {"own_correction": False, "deposit": "blend"},
@@ -28,6 +29,7 @@ PUBLISHED: dict[str, dict[str, Any]] = {
         "deposit": "blend",
         "interpolation": "linear",
         "split": "hybrid",
+        "bounds": "swapped_planes",
     },
     "fourier_opacity_maps": {"own_correction": False},
     "density_clustering": {"own_correction": False},
