@@ -40,7 +40,8 @@ def results() -> list[tuple[Path, dict[str, Any]]]:
 def rows(path: Path, result: dict[str, Any]) -> list[str]:
     """A row a claim; the figure and its pictures stand in the first."""
     folder = path.parent.name
-    figure = f"[{result['figure']}]({folder}/{path.name}): {result['shows']}"
+    size = "" if result["size"] == "full" else f" ({result['size']} size)"
+    figure = f"[{result['figure']}]({folder}/{path.name}): {result['shows']}{size}"
     pictures = " ".join(
         f"[{i}]({folder}/{name})" for i, name in enumerate(result["pictures"], start=1)
     )
@@ -57,11 +58,9 @@ def tables() -> str:
     found = results()
     claims = [claim for _, result in found for claim in result["claims"]]
     held = sum(claim["holds"] for claim in claims)
-    made = sorted({(r["date"], r["machine"], r["size"]) for _, r in found})
+    made = sorted({f"{r['machine']}, {r['date']}" for _, r in found})
     parts = [f"{held} of {len(claims)} claims of {len(found)} figures and tables hold."]
-    parts.append(
-        "\n".join(f"Made {date} on {machine}, {size} size." for date, machine, size in made)
-    )
+    parts.append(f"On {'; '.join(made)}. Of the papers' sizes where no other is told.")
     for folder, of_paper in groupby(found, key=lambda pair: pair[0].parent.name):
         lines = [line for path, result in of_paper for line in rows(path, result)]
         parts.append("\n".join([f"## {NAMES[folder]}\n", HEAD, *lines]))

@@ -26,7 +26,7 @@ SLACK = 0.05  # of what is timed
 
 def correlations(run: Run, name: str) -> list[float]:
     files = run.pick(_splits.SCENES, _splits.SCENES, _splits.SMALLEST)
-    size = run.pick(256, 128, 32)
+    size = run.pick(512, 128, 32)
     (scene,) = (s for _, light, s in _splits.scenes({name: files[name]}) if light == "sideways")
     found = []
     for count in COUNTS:
