@@ -19,6 +19,9 @@ struct RenderSettings : ParamOwner {
         *this, "steady", true,
         "A light holds on to its map while what casts lies within, so that shadows do "
         "not swim; off: each frame fits anew, whatever was before."};
+    Param<bool> culling{*this, "culling", true,
+                        "Parts of shapes that a camera or a light cannot see are not drawn; off: "
+                        "all of each shape that is in view, for the same result."};
     Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
     Choice compositing{*this,
                        "compositing",

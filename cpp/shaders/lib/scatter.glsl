@@ -8,7 +8,9 @@
 #ifdef STAGE_COMPUTE
 #include "lib/invocation.glsl"
 
-uniform int u_quad_count;  // casters of the shape
+// Casters of the shape that the view sees: a range of an order of them.
+uniform int u_quad_first, u_quad_count;
+layout(std430) readonly buffer b_casters { uint casters[]; };
 
 // What lies on the face of a range of texels.
 vec2 on_face(vec2 p) { return clamp(p, vec2(0.0), vec2(u_light_map_size_px)); }
@@ -27,8 +29,8 @@ void visit_texel(ivec2 texel) {
 #endif
 
 void main() {
-    int caster = int(invocation_index());
-    if (caster < u_quad_count) visit_caster(caster);
+    int quad = int(invocation_index());
+    if (quad < u_quad_count) visit_caster(int(casters[u_quad_first + quad]));
 }
 #else
 void main() {

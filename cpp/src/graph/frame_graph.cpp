@@ -251,6 +251,7 @@ std::string FrameGraph::execute(const Pass& pass, bool clear_only) {
     } else {
         context.draw();
     }
+    if (!clear_only) context.note_hidden_chunks();
     for (const Target& target : pass.writes) target.texture->touch();
     for (Resource* store : pass.stores) store->touch();
     return context.note_;

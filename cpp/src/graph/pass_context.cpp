@@ -68,6 +68,14 @@ void PassContext::zero(const Texture& texture) {
     graph_.device_.zero(texture);
 }
 
+void PassContext::note_hidden_chunks() {
+    if (!pass_.draws || !pass_.view || pass_.draws_unseen) return;
+    const View::ChunkCount chunks = pass_.view->chunks(pass_.draws->shapes());
+    if (chunks.hidden == 0) return;
+    note_ += (note_.empty() ? "" : ", ") + std::to_string(chunks.hidden) + " of " +
+             std::to_string(chunks.all) + " chunks out of view";
+}
+
 void PassContext::read_bytes(const Resource& resource, std::span<std::byte> content) {
     const auto& reads = pass_.reads;
     const auto& stores = pass_.stores;

@@ -6,6 +6,8 @@
 #include "map/voxels.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/strands.hpp"
+#include "scene/map_window.hpp"
+#include "scene/primitive_chunks.hpp"
 
 namespace opacity {
 namespace {
@@ -89,18 +91,34 @@ std::array<float4, 4> columns_of(const double4x4& m) {
     return columns;
 }
 
-void place_in_light(LightCaster& caster, const Shape& shape, const LightSpace& space) {
+// By number: whether the primitive's chunk may leave anything in the map; empty: all of them.
+std::vector<char> seen_primitives(const Shape& shape, const LightSpace& space) {
+    const auto chunks = shape.chunks();
+    const double reach = shape.margin() * shape.scale();
+    std::vector<char> seen;
+    for (std::size_t chunk = 0; chunk < chunks->count(); ++chunk) {
+        const Box box = chunks->boxes[chunk].transformed(shape.transform());
+        if (!is_out_of_map(space, box, reach)) continue;
+        if (seen.empty()) seen.assign(chunks->order->size(), 1);
+        for (std::size_t i = chunks->first(chunk); i < chunks->first(chunk + 1); ++i)
+            seen[(*chunks->order)[i]] = 0;
+    }
+    return seen;
+}
+
+void place_in_light(LightCaster& caster, const Shape& shape, const LightSpace& space, bool culls) {
     const auto* volume = dynamic_cast<const Volume*>(&shape);
     if (!volume) {
         caster.points = light_points(shape, space);
-        caster.bands = CasterBands{caster, space};
+        caster.bands =
+            CasterBands{caster, space, culls ? seen_primitives(shape, space) : std::vector<char>{}};
         return;
     }
     const VoxelSpace voxels =
         voxel_space(space.from_world, shape.transform(), local_from_voxels(*volume));
     caster.light_from_voxels = columns_of(voxels.from_voxels);
     caster.voxels_from_light = columns_of(voxels.to_voxels);
-    caster.bands = CasterBands{caster, space};
+    caster.bands = CasterBands{caster, space, {}};
 }
 
 }  // namespace
@@ -120,12 +138,13 @@ const LightCaster& LightCasters::caster(const ShapePtr& shape_ptr, const LightSp
     if (cached.opacity != now.opacity) caster.opacity = shape.opacity();
     if (cached.geometry != now.geometry) copy_geometry(caster, shape);
     if (cached.geometry != now.geometry || cached.transform != now.transform ||
-        cached.space != space)
-        place_in_light(caster, shape, space);
+        cached.space != space || cached.culled != culls_)
+        place_in_light(caster, shape, space, culls_);
     cached.geometry = now.geometry;
     cached.transform = now.transform;
     cached.opacity = now.opacity;
     cached.space = space;
+    cached.culled = culls_;
     return caster;
 }
 

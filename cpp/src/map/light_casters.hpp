@@ -45,13 +45,18 @@ class LightCasters {
     // Forgets shapes that are gone.
     void collect();
 
+    // Whether to leave out the chunks of a shape that the map cannot hold anything of.
+    void set_culling(bool on) { culls_ = on; }
+
    private:
     struct Cached {
         std::weak_ptr<const Shape> shape;
         Revision geometry = 0, transform = 0, opacity = 0;
         LightSpace space;
+        bool culled = false;
         LightCaster caster;
     };
+    bool culls_ = true;
     std::map<const Shape*, Cached> cache_;
 };
 

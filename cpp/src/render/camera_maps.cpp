@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "render/light_view.hpp"
+#include "scene/map_window.hpp"
 
 namespace opacity::render {
 namespace {
@@ -78,6 +79,7 @@ CameraMaps::CameraMaps() : technique_{make_technique("bounding_opacity_maps")} {
 void CameraMaps::add(FrameGraph& graph, const PictureInputs& inputs) {
     space_ = camera_space(inputs);
     update_light_view(view_, space_);
+    cull(inputs);
     const FrameGraph::Scope scope{graph, "camera"};
     // Nothing is drawn into it: cleared once, it says that nothing opaque is before the camera.
     Texture& no_depth = graph.texture(
@@ -94,6 +96,15 @@ void CameraMaps::add(FrameGraph& graph, const PictureInputs& inputs) {
     const FrameGraph::Scope technique{graph, technique_->name()};
     look_up_ = technique_->build(
         graph, {view_, inputs.lists.blended, no_depth, false, false, space_, unused_});
+}
+
+// By the window of the maps, which is larger than the picture: what lies beside that may reach into
+// texels that filters take at its edge.
+void CameraMaps::cull(const PictureInputs& inputs) {
+    if (!inputs.settings.culling.get()) return view_.see_all();
+    view_.cull(inputs.lists.blended.shapes(), [this](const Box& points, double reach) {
+        return is_out_of_map(space_, points, reach);
+    });
 }
 
 void CameraMaps::add_look_up(Pass& pass) const {

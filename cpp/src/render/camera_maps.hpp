@@ -19,6 +19,8 @@ class CameraMaps {
     void add_look_up(Pass& pass) const;
 
    private:
+    void cull(const PictureInputs& inputs);
+
     std::unique_ptr<Technique> technique_;
     LightSpace space_;
     View view_{"camera/light"};

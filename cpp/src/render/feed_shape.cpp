@@ -54,7 +54,6 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
     feeder.uniform("u_voxel_size", std::vector<float>{float(gpu.spacing[0]), float(gpu.spacing[1]),
                                                       float(gpu.spacing[2])});
     feeder.uniform("u_segment_count", gpu.segment_count);
-    feeder.uniform("u_quad_count", gpu.quad_count);
     feeder.uniform("u_width_scale", gpu.width_scale);
     feeder.uniform("u_profile", gpu.profile);
     feeder.uniform("u_receiver_width", gpu.receiver_width);

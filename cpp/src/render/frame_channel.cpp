@@ -5,15 +5,6 @@
 #include "render/first_surfaces.hpp"
 
 namespace opacity::render {
-namespace {
-
-CameraView view_of(const FrameInputs& inputs) {
-    const RenderSettings& settings = inputs.settings;
-    return {inputs.camera, double(settings.width.get()) / settings.height.get()};
-}
-
-}  // namespace
-
 void FrameChannel::fit_lights(const FrameInputs& inputs, const Box& query, std::size_t asked) {
     const auto& lights = inputs.scene.lights();
     const std::size_t count = std::max<std::size_t>(lights.size(), 1);
@@ -23,11 +14,11 @@ void FrameChannel::fit_lights(const FrameInputs& inputs, const Box& query, std::
         lights_.push_back(std::make_unique<LightMaps>(scope));
     }
     const RenderSettings& settings = inputs.settings;
-    const CameraView camera = view_of(inputs);
+    const CameraView camera = view_of(inputs.camera, settings);
     for (std::size_t i = 0; i < count; ++i)
         lights_[i]->fit(inputs.scene, lights.empty() ? nullptr : lights[i].get(),
-                        {inputs.technique, settings.map_size, settings.steady}, camera,
-                        i == asked ? query : Box{});
+                        {inputs.technique, settings.map_size, settings.steady, settings.culling},
+                        camera, i == asked ? query : Box{});
 }
 
 void FrameChannel::declare(FrameGraph& graph, Device& device, const FrameInputs& inputs,
@@ -36,7 +27,7 @@ void FrameChannel::declare(FrameGraph& graph, Device& device, const FrameInputs&
     const Compositing compositing =
         device.runs_shaders() ? compositing_of(inputs.settings.compositing) : Compositing::opaque;
     lists_.update_casters(inputs.scene);
-    lists_.update_seen(inputs.scene, compositing, view_of(inputs));
+    lists_.update_seen(inputs.scene, compositing, view_of(inputs.camera, inputs.settings));
     fit_lights(inputs, query, asked);
     for (const auto& light : lights_) light->add_passes(graph, lists_);
     const PictureInputs picture{inputs.scene, inputs.camera, inputs.settings, inputs.background,

@@ -13,8 +13,14 @@ namespace opacity::render {
 
 namespace {
 
-constexpr GLenum face_clip_distances = 5;       // casters.vert.glsl
+constexpr GLenum face_clip_distances = 5;  // casters.vert.glsl
+constexpr std::size_t indices_a_quad = 6;
 constexpr const char* camera_space = "camera";  // Shader::camera_technique
+
+// As OpenGL takes it: bytes from the start of the buffer.
+const void* index_offset(std::size_t first) {
+    return reinterpret_cast<const void*>(first * sizeof(std::uint32_t));
+}
 
 // Of 8 bits a channel, as floats of [0, 1].
 void read_bytes(const gl::Texture& texture, std::span<std::byte> floats) {
@@ -221,9 +227,10 @@ void GlDevice::draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& 
 }
 
 void GlDevice::feed(gl::Program& shader, const Pass& pass, const GpuShape& gpu, int index,
-                    const Uniforms& extra) {
+                    const Indices& indices, const Uniforms& extra) {
     ProgramFeeder feeder{*this, shader};
     feed_shape(feeder, pass, gpu);
+    feeder.buffer("casters", indices.primitives);
     feeder.uniform("u_shape_index", index);
     for (const Source* read : pass.reads) read->feed(feeder);
     if (pass.view) pass.view->feed(feeder);
@@ -242,13 +249,16 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
     Shader drawing = pass.shader;
     drawing.compute.clear();
     gl::Program& shader = program(drawing, gpu.defines);
-    feed(shader, pass, gpu, index, extra);
-    gl().UseProgram(shader.name());
     const Indices indices = orders_.indices(pass, shape, gpu);
+    feed(shader, pass, gpu, index, indices, extra);
+    gl().UseProgram(shader.name());
     gl().VertexArrayElementBuffer(vertex_array_.name(), indices.buffer);
     const int instances = std::max(1, pass.view->faces());
-    gl().DrawElementsInstanced(GL_TRIANGLES, indices.count, GL_UNSIGNED_INT, nullptr, instances);
-    ++calls_;
+    for (const IndexRange& range : indices.ranges) {
+        gl().DrawElementsInstanced(GL_TRIANGLES, GLsizei(range.count), GL_UNSIGNED_INT,
+                                   index_offset(range.first), instances);
+        ++calls_;
+    }
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {
@@ -273,19 +283,29 @@ void GlDevice::dispatch_shapes(const Pass& pass, const ShapeFilter& wanted) {
     int index = 0;
     for (const ShapePtr& shape : pass.draws->shapes()) {
         const int here = index++;
-        if (wanted && !wanted(*shape)) continue;
-        const GpuShape& gpu = shapes_.upload(shape);
-        if (gpu.quad_count == 0) continue;
-        gl::Program& shader = program(computing, gpu.defines);
-        feed(shader, pass, gpu, here, {});
-        gl().UseProgram(shader.name());
-        const auto [columns, rows, one] = work_groups(gpu.quad_count);
+        if (!wanted || wanted(*shape)) dispatch_shape(pass, computing, shape, here);
+    }
+    gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
+    gl::check_errors(*context_, "computing the shapes of pass " + pass.name);
+}
+
+void GlDevice::dispatch_shape(const Pass& pass, const Shader& computing, const ShapePtr& shape,
+                              int index) {
+    const GpuShape& gpu = shapes_.upload(shape);
+    if (gpu.quad_count == 0) return;
+    gl::Program& shader = program(computing, gpu.defines);
+    const Indices indices = orders_.indices(pass, shape, gpu);
+    feed(shader, pass, gpu, index, indices, {{"u_quad_first", 0}, {"u_quad_count", 0}});
+    gl().UseProgram(shader.name());
+    for (const IndexRange& range : indices.ranges) {
+        const int count = int(range.count / indices_a_quad);
+        shader.set("u_quad_first", int(range.first / indices_a_quad));
+        shader.set("u_quad_count", count);
+        const auto [columns, rows, one] = work_groups(count);
         gl().DispatchCompute(GLuint(columns), GLuint(rows),
                              GLuint(std::max(1, pass.view->faces())));
         ++calls_;
     }
-    gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
-    gl::check_errors(*context_, "computing the shapes of pass " + pass.name);
 }
 
 void GlDevice::resolve(const Pass& pass) {

@@ -62,9 +62,11 @@ class GlDevice : public Device {
     void set_state(const Pass& pass) const;
     // What a pass's program takes, for one of its shapes.
     void feed(gl::Program& shader, const Pass& pass, const GpuShape& gpu, int index,
-              const Uniforms& extra);
+              const Indices& indices, const Uniforms& extra);
     // `index` in the pass's list.
     void draw_shape(const Pass& pass, const ShapePtr& shape, int index, const Uniforms& extra);
+    void dispatch_shape(const Pass& pass, const Shader& computing, const ShapePtr& shape,
+                        int index);
     void resolve(const Pass& pass);
     unsigned drawn_texture(const Texture& texture) const;
     const GladGLContext& gl() const { return context_->gl(); }

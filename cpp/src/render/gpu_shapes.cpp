@@ -7,6 +7,8 @@
 #include "map/volume_slabs.hpp"
 #include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
+#include "render/primitive_indices.hpp"
+#include "scene/primitive_chunks.hpp"
 
 namespace opacity::render {
 namespace {
@@ -28,16 +30,6 @@ gl::Texture make_texture(const std::shared_ptr<gl::Context>& context, GLenum for
     texture.set_filter(GL_LINEAR);
     texture.set_wrap(GL_REPEAT);
     return texture;
-}
-
-// Two triangles a quadrilateral, of four vertices each (lib/segment.glsl).
-std::vector<std::uint32_t> quad_triangles(std::size_t count) {
-    std::vector<std::uint32_t> indices;
-    indices.reserve(6 * count);
-    for (std::uint32_t corner = 0; corner < 4 * count; corner += 4)
-        indices.insert(indices.end(),
-                       {corner, corner + 1, corner + 2, corner, corner + 2, corner + 3});
-    return indices;
 }
 
 // std430 would pad a vec3 anyway.
@@ -140,28 +132,31 @@ void GpuShapes::upload_geometry(GpuShape& gpu, const Shape& shape) {
     if (const auto* mesh = dynamic_cast<const Mesh*>(&shape)) return upload_mesh(gpu, *mesh);
     if (const auto* volume = dynamic_cast<const Volume*>(&shape))
         return upload_volume(gpu, *volume);
-    std::size_t quads = shape.points().size();  // of particles
     if (const auto* strands = dynamic_cast<const Strands*>(&shape)) {
-        quads = strands->segments().size();
-        gpu.segment_count = int(quads);
+        gpu.segment_count = int(strands->segments().size());
         refresh(gpu.segments, Part::segments, now,
                 [&] { return make_buffer(context_, strands->segments()); });
     }
     if (const auto* particles = dynamic_cast<const Particles*>(&shape))
         gpu.profile = int(particles->profile());
-    gpu.quad_count = int(quads);
-    gpu.index_count = int(6 * quads);
-    refresh(gpu.indices, Part::indices, now,
-            [&] { return make_buffer(context_, quad_triangles(quads)); });
+    gpu.quad_count = int(Primitives{shape}.count());
+    upload_indices(gpu, shape);
+}
+
+void GpuShapes::upload_indices(GpuShape& gpu, const Shape& shape) {
+    const auto chunks = shape.chunks();
+    gpu.index_count = int(chunks->order->size() * Primitives{shape}.indices_each());
+    refresh(gpu.indices, Part::indices, chunks->order_revision,
+            [&] { return make_buffer(context_, indices_of(Primitives{shape}, *chunks->order)); });
+    refresh(gpu.order, Part::order, chunks->order_revision,
+            [&] { return make_buffer(context_, *chunks->order); });
 }
 
 void GpuShapes::upload_mesh(GpuShape& gpu, const Mesh& mesh) {
     const Revision now = mesh.revisions().geometry;
     refresh(gpu.normals, Part::normals, now,
             [&] { return make_buffer(context_, padded(mesh.normals())); });
-    gpu.index_count = int(mesh.triangles().size());
-    refresh(gpu.indices, Part::indices, now,
-            [&] { return make_buffer(context_, mesh.triangles()); });
+    upload_indices(gpu, mesh);
     if (!mesh.uvs().empty())
         refresh(gpu.uvs, Part::uvs, now, [&] { return make_buffer(context_, mesh.uvs()); });
     if (!mesh.has_alpha()) return;

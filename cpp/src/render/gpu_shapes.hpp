@@ -28,15 +28,16 @@ struct GpuShape {
     double3 origin{};  // what was subtracted from the points, in float64
     // Points: xyz and a strand's width or a particle's radius.
     GpuBuffer points, segments, indices, normals, uvs, opacity, color;
-    GpuBuffer slabs;              // of a volume: map/volume_slabs.hpp
-    GpuTexture alpha, color_map;  // of a mesh, with levels; coverage in place of alpha
-    GpuTexture extinction;        // of a volume, x first
+    GpuBuffer order;                         // PrimitiveChunks::order
+    GpuBuffer slabs;                         // of a volume: map/volume_slabs.hpp
+    GpuTexture alpha, color_map;             // of a mesh, with levels; coverage in place of alpha
+    GpuTexture extinction;                   // of a volume, x first
     // STRANDS, MESH, PARTICLES or VOLUME; of a mesh OPAQUE, ALPHA_MAP, COLOR_MAP; RECEIVES;
     // DEPOSITS where the opacity maps hold what own_correction takes out. Told as defines, so that
     // what a shape does not need is not in its programs.
     Defines defines;
-    int segment_count = 0, index_count = 0;
-    int quad_count = 0;  // of strands and particles: one a caster
+    int segment_count = 0, index_count = 0;  // indices in the order of the shape's chunks
+    int quad_count = 0;                      // of strands and particles: one a caster
     int opacity_stride = 0, color_stride = 0;
     // Copied while the shape is locked, so that another thread may move it meanwhile.
     double4x4 transform = identity;
@@ -60,6 +61,7 @@ class GpuShapes {
         points,
         segments,
         indices,
+        order,
         normals,
         uvs,
         opacity,
@@ -73,6 +75,7 @@ class GpuShapes {
     using Held = std::map<std::pair<Part, Revision>, std::weak_ptr<Object>>;
 
     void upload_geometry(GpuShape& gpu, const Shape& shape);
+    void upload_indices(GpuShape& gpu, const Shape& shape);
     void upload_mesh(GpuShape& gpu, const Mesh& mesh);
     void upload_volume(GpuShape& gpu, const Volume& volume);
     void upload_appearance(GpuShape& gpu, const Shape& shape);

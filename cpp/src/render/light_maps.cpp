@@ -5,6 +5,7 @@
 
 #include "map/fragments.hpp"
 #include "render/light_view.hpp"
+#include "scene/map_window.hpp"
 
 namespace opacity::render {
 namespace {
@@ -30,6 +31,7 @@ LightMaps::LightMaps(const std::string& scope)
 void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults& defaults,
                     const CameraView& camera, const Box& query) {
     is_lit_ = light != nullptr;
+    culls_ = defaults.culling.get();
     technique_ = light && light->technique() ? light->technique() : defaults.technique;
     own_map_size_px_ = light ? light->map_size() : 0;
     if (!defaults.steady.get()) fit_ = {}, split_fit_ = {};
@@ -57,12 +59,22 @@ void LightMaps::add_passes(FrameGraph& graph, SceneLists& lists) {
     std::optional<FrameGraph::Scope> scope;
     if (!scope_.empty()) scope.emplace(graph, scope_);
     casters_.collect();
+    cull(lists);
     look_up_ = add_shadows(graph, lists);
     is_shadowed_ = !look_up_.reads.empty();
     for (const Value<std::string>* chosen : {&chosen_size_, &chosen_technique_})
         if (!chosen->get().empty()) look_up_.reads.push_back(&add_choice(graph, lists, *chosen));
     look_up_.reads.push_back(&view_);  // lighting places every vertex in the light's map
     transmittance_ = &query_.add(graph, look_up_, *technique_, space_, view_);
+}
+
+void LightMaps::cull(const SceneLists& lists) {
+    casters_.set_culling(culls_);
+    if (!culls_) return view_.see_all();
+    for (const DrawList* list : {&lists.translucent, &lists.opaque})
+        view_.cull(list->shapes(), [this](const Box& points, double reach) {
+            return is_out_of_map(space_, points, reach);
+        });
 }
 
 // Says it in the report.

@@ -21,6 +21,7 @@ struct LightDefaults {
     const std::shared_ptr<Technique>& technique;
     const AutoParam<int>& map_size;
     const Param<bool>& steady;
+    const Param<bool>& culling;
 };
 
 class LightMaps {
@@ -53,12 +54,13 @@ class LightMaps {
                              const Value<std::string>& chosen);
     // `moved_back`: for points that may lie on any of them (lib/surface.glsl).
     Texture& add_opaque_depth(FrameGraph& graph, SceneLists& lists, bool moved_back);
+    void cull(const SceneLists& lists);
     ShadowLookUp add_shadows(FrameGraph& graph, SceneLists& lists);
 
     std::string scope_;
     // The passes declared last refer to its parameters; null: no light, no shadow.
     std::shared_ptr<Technique> technique_;
-    bool is_lit_ = false;
+    bool is_lit_ = false, culls_ = true;
     int own_map_size_px_ = 0;  // 0: the renderer's
     LightFit fit_;
     SplitFit split_fit_;

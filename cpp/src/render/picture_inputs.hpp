@@ -9,6 +9,10 @@
 
 namespace opacity::render {
 
+inline CameraView view_of(const Camera& camera, const RenderSettings& settings) {
+    return {camera, double(settings.width.get()) / settings.height.get()};
+}
+
 struct PictureInputs {
     const Scene& scene;
     const Camera& camera;

@@ -4,85 +4,51 @@
 #include <numeric>
 
 #include "opacity/scene/strands.hpp"
+#include "render/primitive_indices.hpp"
+#include "scene/primitive_chunks.hpp"
 
 namespace opacity::render {
 namespace {
 
 constexpr int ordered_whole = -1;
 
-std::size_t primitive_count(const Shape& shape) {
-    if (const auto* strands = dynamic_cast<const Strands*>(&shape))
-        return strands->segments().size();
-    if (const auto* mesh = dynamic_cast<const Mesh*>(&shape)) return mesh->triangles().size() / 3;
-    return shape.points().size();
+double3 middle(const Shape& shape, const Primitives& primitives, std::size_t primitive) {
+    const std::size_t corners = primitives.corners();
+    double3 sum{};
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+        const double3 p = shape.points()[primitives.point(primitive, corner)];
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += p[axis] / double(corners);
+    }
+    return sum;
 }
 
-double3 middle(const Shape& shape, std::size_t primitive) {
-    const auto mean = [&](std::initializer_list<std::size_t> points) {
-        double3 sum{};
-        for (const std::size_t i : points)
-            for (int axis = 0; axis < 3; ++axis)
-                sum[axis] += shape.points()[i][axis] / double(points.size());
-        return sum;
-    };
-    if (const auto* strands = dynamic_cast<const Strands*>(&shape)) {
-        const std::size_t first = strands->segments()[primitive];
-        return mean({first, first + 1});
-    }
-    if (const auto* mesh = dynamic_cast<const Mesh*>(&shape)) {
-        const std::uint32_t* corner = &mesh->triangles()[3 * primitive];
-        return mean({corner[0], corner[1], corner[2]});
-    }
-    return shape.points()[primitive];
-}
-
-// As GpuShapes lays them out: triangles by their corners, all else two triangles over four vertices
-// a primitive.
-std::vector<std::uint32_t> indices_of(const Shape& shape,
-                                      const std::vector<std::uint32_t>& primitives) {
-    const auto* mesh = dynamic_cast<const Mesh*>(&shape);
-    std::vector<std::uint32_t> indices;
-    indices.reserve(primitives.size() * (mesh ? 3 : 6));
-    for (const std::uint32_t i : primitives) {
-        if (mesh) {
-            const std::uint32_t* corner = &mesh->triangles()[3 * std::size_t(i)];
-            indices.insert(indices.end(), corner, corner + 3);
-            continue;
-        }
-        const std::uint32_t c = 4 * i;
-        indices.insert(indices.end(), {c, c + 1, c + 2, c, c + 2, c + 3});
-    }
-    return indices;
-}
-
-// By the distance of the eye to their middles; equally far ones stay as they are stored.
-std::vector<std::uint32_t> back_to_front(const Shape& shape, const double4x4& view_from_local) {
-    std::vector<float> distance(primitive_count(shape));
-    for (std::size_t i = 0; i < distance.size(); ++i) {
-        const double3 p = transform_point(view_from_local, middle(shape, i));
+// By the distance of the eye to their middles; equally far ones by number.
+void sort_back_to_front(const Shape& shape, const double4x4& view_from_local,
+                        std::vector<std::uint32_t>& order) {
+    const Primitives primitives{shape};
+    std::vector<float> distance(primitives.count());
+    for (const std::uint32_t i : order) {
+        const double3 p = transform_point(view_from_local, middle(shape, primitives, i));
         distance[i] = float(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     }
-    std::vector<std::uint32_t> order(distance.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return distance[a] > distance[b]; });
-    return order;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return distance[a] != distance[b] ? distance[a] > distance[b] : a < b;
+    });
 }
 
-// Whole strands, which would show gaps otherwise.
-std::vector<std::uint32_t> part_of(const Shape& shape, const Selection& selection) {
-    std::vector<std::uint32_t> primitives;
-    const auto* strands = dynamic_cast<const Strands*>(&shape);
-    const std::size_t count = primitive_count(shape);
-    std::size_t strand = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (strands)
-            while (std::int64_t(strands->segments()[i]) >= strands->offsets()[strand + 1]) ++strand;
-        const std::size_t number = strands ? strand : i;
-        if (int(number % std::size_t(selection.parts)) == selection.part)
-            primitives.push_back(std::uint32_t(i));
+// Of each primitive, the strand that it belongs to; its own number where there are no strands.
+std::vector<std::size_t> strand_numbers(const Shape& shape) {
+    std::vector<std::size_t> numbers(Primitives{shape}.count());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    if (const auto* strands = dynamic_cast<const Strands*>(&shape)) {
+        std::size_t strand = 0;
+        for (std::size_t& number : numbers) {
+            while (std::int64_t(strands->segments()[number]) >= strands->offsets()[strand + 1])
+                ++strand;
+            number = strand;
+        }
     }
-    return primitives;
+    return numbers;
 }
 
 double4x4 product(const double4x4& a, const double4x4& b) {
@@ -94,36 +60,99 @@ double4x4 product(const double4x4& a, const double4x4& b) {
     return result;
 }
 
+std::vector<std::size_t> stored_firsts(const PrimitiveChunks& chunks, std::size_t indices_each) {
+    std::vector<std::size_t> firsts;
+    for (std::size_t chunk = 0; chunk <= chunks.count(); ++chunk)
+        firsts.push_back(chunks.first(chunk) * indices_each);
+    return firsts;
+}
+
+std::vector<IndexRange> ranges_of(const std::vector<std::size_t>& firsts, const ChunkRanges& seen) {
+    std::vector<IndexRange> ranges;
+    for (const ChunkRange& range : seen)
+        if (const std::size_t count = firsts[range.end] - firsts[range.begin]; count > 0)
+            ranges.push_back({firsts[range.begin], count});
+    return ranges;
+}
+
 }  // namespace
 
 Indices PrimitiveOrders::indices(const Pass& pass, const ShapePtr& shape, const GpuShape& gpu) {
-    const Selection& selection = pass.state.selection;
-    const bool is_volume = gpu.extinction.object != nullptr;
-    if (selection == Selection{} || is_volume) return {gpu.indices.object->name(), gpu.index_count};
-    const bool ordered = selection.back_to_front;
-    Made& made = made_[{shape.get(), ordered ? ordered_whole : selection.part}];
     const auto lock = shape->lock();
-    const double4x4 view_from_local =
-        ordered ? product(pass.view->from_world(), shape->transform()) : double4x4{};
-    const bool is_current = made.shape.lock() == shape && made.buffer &&
-                            made.geometry == shape->revisions().geometry &&
-                            made.view_from_local == view_from_local;
-    if (!is_current) {
-        made.shape = shape;
-        made.geometry = shape->revisions().geometry;
-        made.view_from_local = view_from_local;
-        make(made, indices_of(*shape, ordered ? back_to_front(*shape, view_from_local)
-                                              : part_of(*shape, selection)));
+    const ChunkRanges* told = pass.draws_unseen ? nullptr : pass.view->seen(*shape);
+    const unsigned stored = gpu.indices.object->name();
+    if (gpu.extinction.object) {
+        const bool is_hidden = told && told->empty();
+        return {stored, 0, {{0, is_hidden ? 0 : std::size_t(gpu.index_count)}}};
     }
-    return {made.buffer->name(), made.count};
+    const auto chunks = shape->chunks();
+    const ChunkRanges seen = told ? *told : ChunkRanges{{0, chunks->count()}};
+    const Selection& selection = pass.state.selection;
+    if (selection == Selection{})
+        return {stored, gpu.order.object->name(),
+                ranges_of(stored_firsts(*chunks, Primitives{*shape}.indices_each()), seen)};
+    if (!selection.back_to_front) {
+        const Made& made = part(selection, shape);
+        return {made.buffer->name(), made.primitives->name(), ranges_of(made.chunk_firsts, seen)};
+    }
+    const Made& made = back_to_front(pass, shape, seen);
+    return {made.buffer->name(), made.primitives->name(), {{0, made.chunk_firsts.back()}}};
 }
 
-void PrimitiveOrders::make(Made& made, const std::vector<std::uint32_t>& indices) const {
-    static constexpr std::uint32_t nothing[4] = {};
-    made.count = int(indices.size());
-    made.buffer = indices.empty()
-                      ? gl::Buffer{context_, sizeof nothing, nothing}
-                      : gl::Buffer{context_, indices.size() * sizeof indices[0], indices.data()};
+const PrimitiveOrders::Made& PrimitiveOrders::back_to_front(const Pass& pass, const ShapePtr& shape,
+                                                            const ChunkRanges& seen) {
+    Made& made = made_[{shape.get(), ordered_whole}];
+    const double4x4 view_from_local = product(pass.view->from_world(), shape->transform());
+    const Revision geometry = shape->revisions().geometry;
+    if (made.shape.lock() == shape && made.geometry == geometry &&
+        made.view_from_local == view_from_local && made.seen == seen)
+        return made;
+    const auto chunks = shape->chunks();
+    std::vector<std::uint32_t> order;
+    for (const ChunkRange& range : seen)
+        order.insert(order.end(),
+                     chunks->order->begin() + std::ptrdiff_t(chunks->first(range.begin)),
+                     chunks->order->begin() + std::ptrdiff_t(chunks->first(range.end)));
+    sort_back_to_front(*shape, view_from_local, order);
+    made = {shape, geometry, view_from_local, seen, {}, {}, {0, 0}};
+    fill(made, *shape, order);
+    return made;
+}
+
+// Whole strands, which would show gaps otherwise.
+const PrimitiveOrders::Made& PrimitiveOrders::part(const Selection& selection,
+                                                   const ShapePtr& shape) {
+    Made& made = made_[{shape.get(), selection.part}];
+    const auto chunks = shape->chunks();
+    if (made.shape.lock() == shape && made.geometry == chunks->order_revision) return made;
+    made = {shape, chunks->order_revision, {}, {}, {}, {}, {}};
+    const std::vector<std::size_t> numbers = strand_numbers(*shape);
+    const std::size_t each = Primitives{*shape}.indices_each();
+    std::vector<std::uint32_t> primitives;
+    for (std::size_t chunk = 0; chunk < chunks->count(); ++chunk) {
+        made.chunk_firsts.push_back(primitives.size() * each);
+        for (std::size_t i = chunks->first(chunk); i < chunks->first(chunk + 1); ++i)
+            if (const std::uint32_t primitive = (*chunks->order)[i];
+                int(numbers[primitive] % std::size_t(selection.parts)) == selection.part)
+                primitives.push_back(primitive);
+    }
+    made.chunk_firsts.push_back(0);
+    fill(made, *shape, primitives);
+    return made;
+}
+
+void PrimitiveOrders::fill(Made& made, const Shape& shape,
+                           const std::vector<std::uint32_t>& primitives) const {
+    const auto buffer_of = [this](const std::vector<std::uint32_t>& numbers) {
+        static constexpr std::uint32_t nothing[4] = {};
+        return numbers.empty()
+                   ? gl::Buffer{context_, sizeof nothing, nothing}
+                   : gl::Buffer{context_, numbers.size() * sizeof numbers[0], numbers.data()};
+    };
+    const std::vector<std::uint32_t> indices = indices_of(Primitives{shape}, primitives);
+    made.chunk_firsts.back() = indices.size();
+    made.buffer = buffer_of(indices);
+    made.primitives = buffer_of(primitives);
 }
 
 void PrimitiveOrders::collect() {

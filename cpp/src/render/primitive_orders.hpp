@@ -1,5 +1,6 @@
-// Index buffers for passes that draw primitives in another order than they are stored in, or only
-// some of them.
+// Which indices a pass draws of a shape: the chunks that its view sees, in the order in which they
+// are stored, or from buffers of their own for passes that draw primitives in another order, or
+// only some of them.
 #pragma once
 
 #include <map>
@@ -14,9 +15,12 @@
 
 namespace opacity::render {
 
+struct IndexRange {
+    std::size_t first = 0, count = 0;
+};
 struct Indices {
-    unsigned buffer;
-    int count;
+    unsigned buffer, primitives;  // vertices; and the numbers of the primitives that have them
+    std::vector<IndexRange> ranges;
 };
 
 class PrimitiveOrders {
@@ -33,10 +37,13 @@ class PrimitiveOrders {
         std::weak_ptr<const Shape> shape;
         Revision geometry = 0;
         double4x4 view_from_local{};
-        std::optional<gl::Buffer> buffer;
-        int count = 0;
+        ChunkRanges seen;
+        std::optional<gl::Buffer> buffer, primitives;
+        std::vector<std::size_t> chunk_firsts;  // and the end
     };
-    void make(Made& made, const std::vector<std::uint32_t>& indices) const;
+    const Made& back_to_front(const Pass& pass, const ShapePtr& shape, const ChunkRanges& seen);
+    const Made& part(const Selection& selection, const ShapePtr& shape);
+    void fill(Made& made, const Shape& shape, const std::vector<std::uint32_t>& primitives) const;
 
     std::shared_ptr<gl::Context> context_;
     // By shape and part; the whole in an order is part -1.

@@ -45,7 +45,7 @@ Shading::Lamp::Lamp(const std::string& scope)
 }
 
 void Shading::update(const PictureInputs& inputs) {
-    const double aspect = double(inputs.settings.width.get()) / inputs.settings.height.get();
+    const double aspect = view_of(inputs.camera, inputs.settings).aspect;
     const double4x4 view = inputs.camera.view_from_world();
     const std::vector<float> projection =
         clip_from_view(inputs.camera, aspect, near_distance(inputs.scene));
@@ -58,10 +58,21 @@ void Shading::update(const PictureInputs& inputs) {
     }
 }
 
+void Shading::cull(const PictureInputs& inputs) {
+    if (!inputs.settings.culling.get()) return camera_.see_all();
+    const SceneLists& lists = inputs.lists;
+    const CameraView view = view_of(inputs.camera, inputs.settings);
+    for (const DrawList* list : {&lists.surfaces, &lists.solid, &lists.parted, &lists.blended})
+        camera_.cull(list->shapes(), [&](const Box& world, double reach) {
+            return is_out_of_view(view, world.padded(reach));
+        });
+}
+
 void Shading::add(FrameGraph& graph, const PictureInputs& inputs) {
     update(inputs);
     strand_shadows_.begin_frame();
     if (!graph.runs_shaders()) return;  // no pictures either
+    cull(inputs);
     SceneLists& lists = inputs.lists;
     for (std::size_t light = 0; light < inputs.lights.size(); ++light) {
         const LightScope scope{graph, inputs, light};

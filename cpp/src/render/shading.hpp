@@ -30,6 +30,7 @@ class Shading {
         UniformSet color, ambient;
     };
     void update(const PictureInputs& inputs);
+    void cull(const PictureInputs& inputs);
 
     View camera_{"camera"};
     std::deque<Lamp> lamps_;  // one a light

@@ -109,6 +109,7 @@ void StrandShadows::add(FrameGraph& graph, const PictureInputs& inputs, const st
                          .defines = look_up.defines},
               .draws = &shapes,
               .view = &light.view(),
+              .draws_unseen = true,
               .reads = look_up.reads,
               .stores = {&places, &transmittance},
               .execute = [&places, &transmittance, &of_shapes,

@@ -12,6 +12,7 @@
 #include "core/number_text.hpp"
 #include "opacity/core/error.hpp"
 #include "scene/check.hpp"
+#include "scene/primitive_chunks.hpp"
 
 namespace opacity {
 namespace {
@@ -72,7 +73,7 @@ void check_transform(const double4x4& m) {
 }  // namespace
 
 Shape::Shape(Positions points, std::vector<float> opacity, std::vector<float3> color)
-    : points_{std::move(points)} {
+    : points_{std::move(points)}, chunks_{std::make_shared<ChunkSlot>()} {
     check_points(points_);
     point_bounds_ = points_.bounds();
     assign_opacity(std::move(opacity));
@@ -94,7 +95,8 @@ Shape::Shape(const Shape& other)
       color_{other.color_},
       transform_{other.transform_},
       casts_{other.casts_},
-      receives_{other.receives_} {}
+      receives_{other.receives_},
+      chunks_{other.chunks_} {}
 
 ShapePtr Shape::instance() const {
     const auto held = lock();
@@ -114,6 +116,20 @@ void Shape::show(const Tint::Channel& channel) {
     opacity_ = channel.values;
     find_extremes();
     revisions_.opacity = channel.revision;
+}
+
+// One that moves its points leaves the others theirs.
+std::shared_ptr<const PrimitiveChunks> Shape::chunks() const {
+    std::shared_ptr<const PrimitiveChunks> found;
+    {
+        const std::lock_guard held{chunks_->mutex};
+        if (!chunks_->chunks)
+            chunks_->chunks = std::make_shared<const PrimitiveChunks>(chunks_of(*this, nullptr));
+        found = chunks_->chunks;
+    }
+    if (found->geometry == revisions_.geometry) return found;
+    chunks_ = std::make_shared<ChunkSlot>();
+    return chunks_->chunks = std::make_shared<const PrimitiveChunks>(chunks_of(*this, found.get()));
 }
 
 void Shape::check_attribute_size(const char* name, std::size_t size) const {

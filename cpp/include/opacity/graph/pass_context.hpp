@@ -64,6 +64,7 @@ class PassContext {
 
    private:
     friend class FrameGraph;
+    void note_hidden_chunks();
     void read_bytes(const Resource& resource, std::span<std::byte> content);
     std::span<std::byte> memory_bytes(const Resource& resource);
     void require_value(const Source& value) const;

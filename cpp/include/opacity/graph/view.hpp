@@ -2,12 +2,17 @@
 // transform and the origin of its points before anything becomes float32.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "opacity/core/math.hpp"
 #include "opacity/core/source.hpp"
+#include "opacity/scene/shape.hpp"
 
 namespace opacity {
 
@@ -30,6 +35,13 @@ class UniformSet : public Source {
     Uniforms uniforms_;
 };
 
+// Of a shape's chunks of primitives (Shape::chunks) those from `begin` to before `end`.
+struct ChunkRange {
+    std::size_t begin = 0, end = 0;
+    bool operator==(const ChunkRange&) const = default;
+};
+using ChunkRanges = std::vector<ChunkRange>;
+
 // Besides its uniforms, every draw gets mat4 u_<name>_from_local, by its name in GLSL.
 class View : public UniformSet {
    public:
@@ -47,9 +59,30 @@ class View : public UniformSet {
         touch();
     }
 
+    // Whether it sees nothing of what lies within `reach` of a box of the world.
+    using IsOut = std::function<bool(const Box& world, double reach)>;
+    // Finds what of each shape it sees, as it and the shape are now; `is_out` must follow from what
+    // it was updated with. What it is not asked about it sees all of.
+    void cull(const std::vector<ShapePtr>& shapes, const IsOut& is_out);
+    void see_all() { seen_.clear(); }
+    // Neighbours merged, in rising order; null: all of them.
+    const ChunkRanges* seen(const Shape& shape) const;
+    // How many chunks of the shapes there are, and how many of them it does not see.
+    struct ChunkCount {
+        std::size_t all = 0, hidden = 0;
+    };
+    ChunkCount chunks(const std::vector<ShapePtr>& shapes) const;
+
    private:
+    struct Seen {
+        std::weak_ptr<const Shape> shape;
+        Revision geometry = 0, transform = 0, view = 0;
+        ChunkRanges ranges;
+        ChunkCount count;
+    };
     double4x4 from_world_ = identity;
     int faces_ = 0;
+    std::map<const Shape*, Seen> seen_;
 };
 
 }  // namespace opacity

@@ -15,6 +15,9 @@
 
 namespace opacity {
 
+struct ChunkSlot;
+struct PrimitiveChunks;
+
 // Every setter checks first: one that throws a ParameterError leaves the shape as it was.
 class Shape {
    public:
@@ -78,6 +81,9 @@ class Shape {
         bool operator==(const Revisions&) const = default;
     };
     const Revisions& revisions() const { return revisions_; }
+    // Its primitives in chunks of neighbours, as its points are now; made when first asked for.
+    // With the lock held.
+    std::shared_ptr<const PrimitiveChunks> chunks() const;
     // Held by setters, and by a renderer while it copies: one thread may change what another draws.
     std::unique_lock<std::mutex> lock() const { return std::unique_lock{mutex_}; }
 
@@ -108,6 +114,7 @@ class Shape {
     Shared<std::vector<float3>> color_;
     double4x4 transform_ = identity;
     bool casts_ = true, receives_ = true;
+    mutable std::shared_ptr<ChunkSlot> chunks_;
     mutable std::mutex mutex_;
 };
 
