@@ -11,6 +11,16 @@ bool goes_on(int segment, bool at_tip) {
 }
 
 #ifdef OWN_CORRECTION
+#ifdef FEWER_STRANDS
+// What the light's map holds of them: scene/strand_ranks.hpp.
+layout(std430) readonly buffer b_strand_ranks { float strand_ranks[]; };  // of each segment
+uniform float u_light_strand_detail, u_light_strand_widening;
+bool is_in_map(int segment) { return strand_ranks[segment] < u_light_strand_detail; }
+#else
+const float u_light_strand_widening = 1.0;
+bool is_in_map(int segment) { return true; }
+#endif
+
 struct StrandEnd {
     vec3 direction;
     vec2 ends;
@@ -36,8 +46,8 @@ StrandEnd strand_end(int segment, bool at_tip) {
 #endif
     end.ends = vec2(goes_on(segment, false) ? -endless : at_tip ? -texels : 0.0,
                     goes_on(segment, true) ? endless : at_tip ? 0.0 : texels);
-    end.width_texels = points[point].w * u_width_scale * u_light_texels_per_unit;
-    end.opacity = vertex_opacity(point);
+    end.width_texels = points[point].w * u_width_scale * u_light_texels_per_unit * u_light_strand_widening;
+    end.opacity = is_in_map(segment) ? vertex_opacity(point) : 0.0;
     return end;
 }
 #endif

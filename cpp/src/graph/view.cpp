@@ -1,6 +1,7 @@
 #include "opacity/graph/view.hpp"
 
 #include "scene/primitive_chunks.hpp"
+#include "scene/strand_ranks.hpp"
 
 namespace opacity {
 namespace {
@@ -31,8 +32,7 @@ void View::cull(const std::vector<ShapePtr>& shapes, const IsOut& is_out) {
             seen.transform == now.transform && seen.view == revision())
             continue;
         seen = {shape, now.geometry, now.transform, revision(), {}, {}};
-        // Widths scale evenly, whatever the transform does to the points.
-        const double reach = shape->margin() * shape->scale();
+        const double reach = caster_reach(*shape, strand_detail_);
         for (const Box& box : boxes_of(*shape)) {
             if (is_out(box.transformed(shape->transform()), reach))
                 ++seen.count.hidden;

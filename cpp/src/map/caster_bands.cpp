@@ -14,13 +14,13 @@ constexpr std::size_t primitives_at_once = 1 << 14;
 
 class BandFinder {
    public:
-    BandFinder(const LightCaster& caster, const LightSpace& space, std::span<const char> seen)
-        : caster_{caster}, space_{space}, seen_{seen}, faces_{space} {}
+    BandFinder(const LightCaster& caster, const LightSpace& space, std::span<const char> held)
+        : caster_{caster}, space_{space}, held_{held}, faces_{space} {}
 
     // Calls found(band) for each band of each face that a primitive may touch.
     template <class Found>
     void find(std::size_t primitive, Found found) const {
-        if (!seen_.empty() && !seen_[primitive]) return;
+        if (!held_.empty() && !held_[primitive]) return;
         for (int face = 0; face < space_.face_count(); ++face) {
             const Rows rows = rows_of(primitive, face);
             const std::size_t first = std::size_t(face) * bands_a_face(space_);
@@ -47,7 +47,7 @@ class BandFinder {
 
     const LightCaster& caster_;
     const LightSpace& space_;
-    std::span<const char> seen_;
+    std::span<const char> held_;
     MapFaces faces_;
 };
 
@@ -68,8 +68,8 @@ std::size_t primitive_count(const LightCaster& caster) {
 
 // By counting, part by part, so that primitives keep their order on any number of threads.
 CasterBands::CasterBands(const LightCaster& caster, const LightSpace& space,
-                         std::span<const char> seen) {
-    const BandFinder finder{caster, space, seen};
+                         std::span<const char> held) {
+    const BandFinder finder{caster, space, held};
     const std::size_t bands = bands_a_face(space) * std::size_t(space.face_count());
     const std::size_t count = primitive_count(caster);
     const std::size_t parts = (count + primitives_at_once - 1) / primitives_at_once;

@@ -25,8 +25,8 @@ std::size_t primitive_count(const LightCaster& caster);
 class CasterBands {
    public:
     CasterBands() = default;
-    // `seen`: by number, whether a primitive is looked at; empty: all of them.
-    CasterBands(const LightCaster& caster, const LightSpace& space, std::span<const char> seen);
+    // `held`: by number, whether the map holds a primitive; empty: all of them.
+    CasterBands(const LightCaster& caster, const LightSpace& space, std::span<const char> held);
 
     // By number, in their order. A volume is in every band, and not listed.
     std::span<const std::uint32_t> primitives(std::size_t band) const {

@@ -8,6 +8,7 @@
 #include "opacity/scene/strands.hpp"
 #include "scene/map_window.hpp"
 #include "scene/primitive_chunks.hpp"
+#include "scene/strand_ranks.hpp"
 
 namespace opacity {
 namespace {
@@ -45,7 +46,7 @@ std::vector<float4> light_points(const Shape& shape, const LightSpace& space) {
     const std::vector<float>& widths = widths_of(shape);
     const std::array<float, 12> m = light_from_local(shape, space, origin);
     const float size =
-        float(shape.scale()) *
+        float(shape.scale() * widening_of(shape, space.strand_detail)) *
         (space.is_parallel() ? float(space.texels_per_unit) : 1.f / float(space.depth_range));
     std::vector<float4> points(shape.points().size());
     shape.points().visit([&](const auto& xyz) {
@@ -91,27 +92,39 @@ std::array<float4, 4> columns_of(const double4x4& m) {
     return columns;
 }
 
-// By number: whether the primitive's chunk may leave anything in the map; empty: all of them.
-std::vector<char> seen_primitives(const Shape& shape, const LightSpace& space) {
+// By number: whether the map holds the primitive; empty: it holds all of them.
+using Held = std::vector<char>;
+
+void leave_out_chunks(Held& held, const Shape& shape, const LightSpace& space) {
     const auto chunks = shape.chunks();
-    const double reach = shape.margin() * shape.scale();
-    std::vector<char> seen;
+    const double reach = caster_reach(shape, space.strand_detail);
     for (std::size_t chunk = 0; chunk < chunks->count(); ++chunk) {
         const Box box = chunks->boxes[chunk].transformed(shape.transform());
         if (!is_out_of_map(space, box, reach)) continue;
-        if (seen.empty()) seen.assign(chunks->order->size(), 1);
+        held.resize(chunks->order->size(), 1);
         for (std::size_t i = chunks->first(chunk); i < chunks->first(chunk + 1); ++i)
-            seen[(*chunks->order)[i]] = 0;
+            held[(*chunks->order)[i]] = 0;
     }
-    return seen;
+}
+
+void leave_out_strands(Held& held, const Shape& shape, double detail) {
+    const auto* strands = dynamic_cast<const Strands*>(&shape);
+    if (!strands || detail >= 1.0) return;
+    const auto ranks = strands->ranks();
+    const std::vector<std::size_t> numbers = strand_numbers(*strands);
+    held.resize(numbers.size(), 1);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (!ranks->is_kept(numbers[i], detail)) held[i] = 0;
 }
 
 void place_in_light(LightCaster& caster, const Shape& shape, const LightSpace& space, bool culls) {
     const auto* volume = dynamic_cast<const Volume*>(&shape);
     if (!volume) {
         caster.points = light_points(shape, space);
-        caster.bands =
-            CasterBands{caster, space, culls ? seen_primitives(shape, space) : std::vector<char>{}};
+        Held held;
+        if (culls) leave_out_chunks(held, shape, space);
+        leave_out_strands(held, shape, space.strand_detail);
+        caster.bands = CasterBands{caster, space, held};
         return;
     }
     const VoxelSpace voxels =

@@ -12,6 +12,7 @@
 #include "opacity/scene/volume.hpp"
 #include "scene/bias.hpp"
 #include "scene/receivers.hpp"
+#include "scene/strand_ranks.hpp"
 
 namespace opacity {
 namespace {
@@ -37,11 +38,14 @@ void tell_direction(Receiver& receiver, const double3& along, bool is_parallel) 
 // At each point the direction from the one before to the one after.
 void tell_strands(std::vector<Receiver>& list, const std::vector<double3>& p_ls,
                   const Strands& strands, const LightSpace& space) {
-    const double to_texels = strands.scale() * space.texels_per_unit;
+    const double detail = space.strand_detail;
+    const double to_texels = strands.scale() * space.texels_per_unit * widening_of(strands, detail);
+    const auto ranks = detail < 1.0 ? strands.ranks() : nullptr;
     const float endless = space.is_parallel() ? endless_texels : endless_segments;
     for (std::size_t k = 0; k + 1 < strands.offsets().size(); ++k) {
         const std::size_t root = std::size_t(strands.offsets()[k]);
         const std::size_t end = std::size_t(strands.offsets()[k + 1]);
+        if (ranks && !ranks->is_kept(k, detail)) continue;  // it has left nothing
         for (std::size_t i = root; i < end && end - root > 1; ++i) {
             const double3 along =
                 minus(p_ls[std::min(i + 1, end - 1)], p_ls[i > root ? i - 1 : root]);

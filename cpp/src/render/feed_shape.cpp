@@ -17,6 +17,10 @@ std::vector<float> to_floats(const Matrix& m) {
     return values;
 }
 
+float widening(const View& view, const GpuShape& gpu) {
+    return gpu.ranks ? float(gpu.ranks->widening(view.strand_detail())) : 1.f;
+}
+
 void feed_view(ProgramFeeder& feeder, const View& view, const GpuShape& gpu) {
     glm::dmat4 to_world = to_glm(gpu.transform);
     to_world[3] = to_world * glm::dvec4{gpu.origin[0], gpu.origin[1], gpu.origin[2], 1.0};
@@ -25,6 +29,8 @@ void feed_view(ProgramFeeder& feeder, const View& view, const GpuShape& gpu) {
     feeder.uniform(name + "_from_local", to_floats(from_local));
     const glm::dmat3 normal_from_local = glm::transpose(glm::inverse(glm::dmat3{from_local}));
     feeder.uniform(name + "_normal_from_local", to_floats(normal_from_local));
+    feeder.uniform(name + "_strand_detail", float(view.strand_detail()));
+    feeder.uniform(name + "_strand_widening", widening(view, gpu));
     if (!gpu.extinction.object) return;
     const VoxelSpace voxels = voxel_space(view.from_world(), gpu.transform, gpu.local_from_voxels);
     feeder.uniform(name + "_from_voxels", to_floats(to_glm(voxels.from_voxels)));
@@ -49,12 +55,14 @@ void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu) {
     feed_buffer("normals", gpu.normals);
     feed_buffer("uvs", gpu.uvs);
     feed_buffer("slabs", gpu.slabs);
+    feed_buffer("strand_ranks", gpu.strand_ranks);
     feed_texture("alpha", gpu.alpha);
     feed_texture("extinction", gpu.extinction);
     feeder.uniform("u_voxel_size", std::vector<float>{float(gpu.spacing[0]), float(gpu.spacing[1]),
                                                       float(gpu.spacing[2])});
     feeder.uniform("u_segment_count", gpu.segment_count);
-    feeder.uniform("u_width_scale", gpu.width_scale);
+    const bool as_seen = pass.view && !pass.draws_unseen;
+    feeder.uniform("u_width_scale", gpu.width_scale * (as_seen ? widening(*pass.view, gpu) : 1.f));
     feeder.uniform("u_profile", gpu.profile);
     feeder.uniform("u_receiver_width", gpu.receiver_width);
     if (declared(pass, pass.draws->opacity)) {

@@ -10,7 +10,8 @@ namespace opacity::render {
 
 // Feeds everything that is the shape's own: its buffers and textures as far as the pass declared
 // them, strides, scale, flags, and for the pass's view and every view among its reads the matrices
-// u_<view>_from_local and u_<view>_normal_from_local; of a volume also u_<view>_from_voxels and
+// u_<view>_from_local and u_<view>_normal_from_local, and what the view sees of strands,
+// u_<view>_strand_detail and u_<view>_strand_widening; of a volume also u_<view>_from_voxels and
 // u_voxels_from_<view>, where a voxel is one unit long.
 void feed_shape(ProgramFeeder& feeder, const Pass& pass, const GpuShape& gpu);
 

@@ -17,7 +17,8 @@ void FrameChannel::fit_lights(const FrameInputs& inputs, const Box& query, std::
     const CameraView camera = view_of(inputs.camera, settings);
     for (std::size_t i = 0; i < count; ++i)
         lights_[i]->fit(inputs.scene, lights.empty() ? nullptr : lights[i].get(),
-                        {inputs.technique, settings.map_size, settings.steady, settings.culling},
+                        {inputs.technique, settings.map_size, settings.map_detail, settings.steady,
+                         settings.culling},
                         camera, i == asked ? query : Box{});
 }
 

@@ -22,6 +22,15 @@ const void* index_offset(std::size_t first) {
     return reinterpret_cast<const void*>(first * sizeof(std::uint32_t));
 }
 
+// Whether any view of the pass does.
+bool sees_fewer_strands(const Pass& pass) {
+    const Reads reads = all_reads(pass);
+    return std::ranges::any_of(reads, [](const Source* read) {
+        const auto* view = dynamic_cast<const View*>(read);
+        return view && view->strand_detail() < 1.0;
+    });
+}
+
 // Of 8 bits a channel, as floats of [0, 1].
 void read_bytes(const gl::Texture& texture, std::span<std::byte> floats) {
     std::vector<std::byte> bytes(texture.size_bytes());
@@ -244,7 +253,7 @@ void GlDevice::feed(gl::Program& shader, const Pass& pass, const GpuShape& gpu, 
 
 void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
                           const Uniforms& extra) {
-    const GpuShape& gpu = shapes_.upload(shape);
+    const GpuShape& gpu = shapes_.upload(shape, sees_fewer_strands(pass));
     if (gpu.index_count == 0) return;
     Shader drawing = pass.shader;
     drawing.compute.clear();
@@ -291,7 +300,7 @@ void GlDevice::dispatch_shapes(const Pass& pass, const ShapeFilter& wanted) {
 
 void GlDevice::dispatch_shape(const Pass& pass, const Shader& computing, const ShapePtr& shape,
                               int index) {
-    const GpuShape& gpu = shapes_.upload(shape);
+    const GpuShape& gpu = shapes_.upload(shape, sees_fewer_strands(pass));
     if (gpu.quad_count == 0) return;
     gl::Program& shader = program(computing, gpu.defines);
     const Indices indices = orders_.indices(pass, shape, gpu);

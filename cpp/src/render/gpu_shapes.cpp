@@ -104,7 +104,7 @@ void GpuShapes::refresh(GpuPart<Object>& part, Part kind, Revision revision, Mak
     part.revision = revision;
 }
 
-const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
+const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr, bool with_ranks) {
     const Shape& shape = *shape_ptr;
     const auto lock = shape.lock();
     GpuShape& gpu = shapes_[&shape];
@@ -117,6 +117,7 @@ const GpuShape& GpuShapes::upload(const ShapePtr& shape_ptr) {
     gpu.defines = defines_of(shape);
     upload_geometry(gpu, shape);
     upload_appearance(gpu, shape);
+    if (with_ranks) upload_ranks(gpu, shape);
     return gpu;
 }
 
@@ -150,6 +151,18 @@ void GpuShapes::upload_indices(GpuShape& gpu, const Shape& shape) {
             [&] { return make_buffer(context_, indices_of(Primitives{shape}, *chunks->order)); });
     refresh(gpu.order, Part::order, chunks->order_revision,
             [&] { return make_buffer(context_, *chunks->order); });
+}
+
+// A shape keeps its strands, and they their ranks.
+void GpuShapes::upload_ranks(GpuShape& gpu, const Shape& shape) {
+    const auto* strands = dynamic_cast<const Strands*>(&shape);
+    if (!strands || gpu.ranks) return;
+    gpu.ranks = strands->ranks();
+    std::vector<float> of_segments;
+    for (const std::size_t strand : strand_numbers(*strands))
+        of_segments.push_back(float(gpu.ranks->of_strands[strand]));
+    refresh(gpu.strand_ranks, Part::strand_ranks, strands->chunks()->order_revision,
+            [&] { return make_buffer(context_, of_segments); });
 }
 
 void GpuShapes::upload_mesh(GpuShape& gpu, const Mesh& mesh) {

@@ -11,6 +11,7 @@
 #include "opacity/graph/pass.hpp"
 #include "opacity/scene/mesh.hpp"
 #include "opacity/scene/volume.hpp"
+#include "scene/strand_ranks.hpp"
 
 namespace opacity::render {
 
@@ -29,6 +30,7 @@ struct GpuShape {
     // Points: xyz and a strand's width or a particle's radius.
     GpuBuffer points, segments, indices, normals, uvs, opacity, color;
     GpuBuffer order;                         // PrimitiveChunks::order
+    GpuBuffer strand_ranks;                  // of each segment, where a map holds fewer strands
     GpuBuffer slabs;                         // of a volume: map/volume_slabs.hpp
     GpuTexture alpha, color_map;             // of a mesh, with levels; coverage in place of alpha
     GpuTexture extinction;                   // of a volume, x first
@@ -44,15 +46,16 @@ struct GpuShape {
     double4x4 local_from_voxels = identity;  // of a volume: its coordinates from those of voxels
     double3 spacing{1, 1, 1};
     float width_scale = 1.f;
-    int profile = 0;             // of particles: DensityProfile
-    float receiver_width = 0.f;  // world units; 0 for a surface
+    int profile = 0;                           // of particles: DensityProfile
+    float receiver_width = 0.f;                // world units; 0 for a surface
+    std::shared_ptr<const StrandRanks> ranks;  // of strands that some map holds fewer of
 };
 
 class GpuShapes {
    public:
     explicit GpuShapes(std::shared_ptr<gl::Context> context) : context_{std::move(context)} {}
-    // The shape's buffers, brought up to date.
-    const GpuShape& upload(const ShapePtr& shape);
+    // The shape's buffers, brought up to date; with the ranks of its strands if these are wanted.
+    const GpuShape& upload(const ShapePtr& shape, bool with_ranks);
     // Frees the buffers of shapes that are gone.
     void collect();
 
@@ -66,6 +69,7 @@ class GpuShapes {
         uvs,
         opacity,
         color,
+        strand_ranks,
         slabs,
         alpha,
         color_map,
@@ -76,6 +80,7 @@ class GpuShapes {
 
     void upload_geometry(GpuShape& gpu, const Shape& shape);
     void upload_indices(GpuShape& gpu, const Shape& shape);
+    void upload_ranks(GpuShape& gpu, const Shape& shape);
     void upload_mesh(GpuShape& gpu, const Mesh& mesh);
     void upload_volume(GpuShape& gpu, const Volume& volume);
     void upload_appearance(GpuShape& gpu, const Shape& shape);

@@ -26,6 +26,7 @@ LightMaps::LightMaps(const std::string& scope)
       view_{scoped(scope, "light")},
       chosen_size_{"map_size", ""},
       chosen_technique_{"technique", ""},
+      chosen_detail_{"map_detail", ""},
       query_{scoped(scope, "query_points")} {}
 
 void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults& defaults,
@@ -42,7 +43,19 @@ void LightMaps::fit(const Scene& scene, const Light* light, const LightDefaults&
     if (delegate.technique) technique_ = delegate.technique;
     chosen_technique_.set(delegate.why);
     space_.splits = split_fit_.fit(space_, scene, camera, technique_->view_splits());
+    choose_detail(scene, defaults.map_detail);
     update_light_view(view_, space_);
+}
+
+// A line one texel wide, as in the papers, stands for no more strands when it is wider.
+void LightMaps::choose_detail(const Scene& scene, const AutoParam<double>& map_detail) {
+    MapDetail chosen;
+    if (!technique_->deposit_rule.is("paper"))
+        chosen = map_detail_rule_.choose(scene, space_, map_detail);
+    else if (map_detail.is_auto() || map_detail.get() < 1.0)
+        chosen.why = "all strands: deposit_rule is paper";
+    space_.strand_detail = chosen.strand_detail;
+    chosen_detail_.set(chosen.why);
 }
 
 int LightMaps::map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side) {
@@ -62,7 +75,7 @@ void LightMaps::add_passes(FrameGraph& graph, SceneLists& lists) {
     cull(lists);
     look_up_ = add_shadows(graph, lists);
     is_shadowed_ = !look_up_.reads.empty();
-    for (const Value<std::string>* chosen : {&chosen_size_, &chosen_technique_})
+    for (const Value<std::string>* chosen : {&chosen_size_, &chosen_technique_, &chosen_detail_})
         if (!chosen->get().empty()) look_up_.reads.push_back(&add_choice(graph, lists, *chosen));
     look_up_.reads.push_back(&view_);  // lighting places every vertex in the light's map
     transmittance_ = &query_.add(graph, look_up_, *technique_, space_, view_);

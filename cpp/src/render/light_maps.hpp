@@ -11,6 +11,7 @@
 #include "render/scene_lists.hpp"
 #include "render/shadow_query.hpp"
 #include "scene/light_fit.hpp"
+#include "scene/map_detail.hpp"
 #include "scene/map_size.hpp"
 #include "scene/split_fit.hpp"
 
@@ -20,6 +21,7 @@ namespace opacity::render {
 struct LightDefaults {
     const std::shared_ptr<Technique>& technique;
     const AutoParam<int>& map_size;
+    const AutoParam<double>& map_detail;
     const Param<bool>& steady;
     const Param<bool>& culling;
 };
@@ -49,6 +51,7 @@ class LightMaps {
     const std::vector<float>& answers() const { return query_.answers(); }
 
    private:
+    void choose_detail(const Scene& scene, const AutoParam<double>& map_detail);
     int map_size_px(const Scene& scene, const AutoParam<int>& map_size, double side);
     const Source& add_choice(FrameGraph& graph, SceneLists& lists,
                              const Value<std::string>& chosen);
@@ -67,8 +70,9 @@ class LightMaps {
     LightSpace space_;
     View view_;
     MapSizeRule map_size_rule_;
+    MapDetailRule map_detail_rule_;
     // What was chosen before any pass could be declared, and why; empty: the caller chose.
-    Value<std::string> chosen_size_, chosen_technique_;
+    Value<std::string> chosen_size_, chosen_technique_, chosen_detail_;
     LightCasters casters_;
     ShadowLookUp look_up_;
     bool is_shadowed_ = false;

@@ -42,6 +42,7 @@ void update_light_view(View& view, const LightSpace& space) {
     }
     if (!space.splits.empty()) uniforms.emplace_back("u_light_splits", split_vectors(space));
     if (!space.is_one_map()) uniforms.emplace_back("u_light_columns", space.columns());
+    view.set_strand_detail(space.strand_detail);
     view.update(space.from_world, std::move(uniforms), space.is_one_map() ? 0 : space.face_count());
 }
 

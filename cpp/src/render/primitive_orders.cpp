@@ -1,16 +1,17 @@
 #include "render/primitive_orders.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "opacity/scene/strands.hpp"
 #include "render/primitive_indices.hpp"
 #include "scene/primitive_chunks.hpp"
+#include "scene/strand_ranks.hpp"
 
 namespace opacity::render {
 namespace {
 
 constexpr int ordered_whole = -1;
+constexpr int most_frames_unused = 256;
 
 double3 middle(const Shape& shape, const Primitives& primitives, std::size_t primitive) {
     const std::size_t corners = primitives.corners();
@@ -36,19 +37,22 @@ void sort_back_to_front(const Shape& shape, const double4x4& view_from_local,
     });
 }
 
-// Of each primitive, the strand that it belongs to; its own number where there are no strands.
-std::vector<std::size_t> strand_numbers(const Shape& shape) {
-    std::vector<std::size_t> numbers(Primitives{shape}.count());
-    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-    if (const auto* strands = dynamic_cast<const Strands*>(&shape)) {
-        std::size_t strand = 0;
-        for (std::size_t& number : numbers) {
-            while (std::int64_t(strands->segments()[number]) >= strands->offsets()[strand + 1])
-                ++strand;
-            number = strand;
-        }
+// By number: whether a pass draws the primitive. Whole strands, which would show gaps otherwise.
+std::vector<char> drawn_primitives(const Shape& shape, const Selection& selection, double detail) {
+    const auto is_in_part = [&](std::size_t number) {
+        return int(number % std::size_t(selection.parts)) == selection.part;
+    };
+    std::vector<char> drawn(Primitives{shape}.count());
+    const auto* strands = dynamic_cast<const Strands*>(&shape);
+    if (!strands) {
+        for (std::size_t i = 0; i < drawn.size(); ++i) drawn[i] = is_in_part(i);
+        return drawn;
     }
-    return numbers;
+    const auto ranks = detail < 1.0 ? strands->ranks() : nullptr;
+    const std::vector<std::size_t> numbers = strand_numbers(*strands);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        drawn[i] = is_in_part(numbers[i]) && (!ranks || ranks->is_kept(numbers[i], detail));
+    return drawn;
 }
 
 double4x4 product(const double4x4& a, const double4x4& b) {
@@ -88,11 +92,13 @@ Indices PrimitiveOrders::indices(const Pass& pass, const ShapePtr& shape, const 
     const auto chunks = shape->chunks();
     const ChunkRanges seen = told ? *told : ChunkRanges{{0, chunks->count()}};
     const Selection& selection = pass.state.selection;
-    if (selection == Selection{})
+    const bool has_strands = dynamic_cast<const Strands*>(shape.get()) != nullptr;
+    const double detail = has_strands && !pass.draws_unseen ? pass.view->strand_detail() : 1.0;
+    if (selection == Selection{} && detail >= 1.0)
         return {stored, gpu.order.object->name(),
                 ranges_of(stored_firsts(*chunks, Primitives{*shape}.indices_each()), seen)};
     if (!selection.back_to_front) {
-        const Made& made = part(selection, shape);
+        const Made& made = part(selection, detail, shape);
         return {made.buffer->name(), made.primitives->name(), ranges_of(made.chunk_firsts, seen)};
     }
     const Made& made = back_to_front(pass, shape, seen);
@@ -101,7 +107,8 @@ Indices PrimitiveOrders::indices(const Pass& pass, const ShapePtr& shape, const 
 
 const PrimitiveOrders::Made& PrimitiveOrders::back_to_front(const Pass& pass, const ShapePtr& shape,
                                                             const ChunkRanges& seen) {
-    Made& made = made_[{shape.get(), ordered_whole}];
+    Made& made = made_[{shape.get(), ordered_whole, 1.0}];
+    made.frames_unused = 0;
     const double4x4 view_from_local = product(pass.view->from_world(), shape->transform());
     const Revision geometry = shape->revisions().geometry;
     if (made.shape.lock() == shape && made.geometry == geometry &&
@@ -114,26 +121,25 @@ const PrimitiveOrders::Made& PrimitiveOrders::back_to_front(const Pass& pass, co
                      chunks->order->begin() + std::ptrdiff_t(chunks->first(range.begin)),
                      chunks->order->begin() + std::ptrdiff_t(chunks->first(range.end)));
     sort_back_to_front(*shape, view_from_local, order);
-    made = {shape, geometry, view_from_local, seen, {}, {}, {0, 0}};
+    made = {shape, geometry, view_from_local, seen, {}, {}, {0, 0}, 0};
     fill(made, *shape, order);
     return made;
 }
 
-// Whole strands, which would show gaps otherwise.
-const PrimitiveOrders::Made& PrimitiveOrders::part(const Selection& selection,
+const PrimitiveOrders::Made& PrimitiveOrders::part(const Selection& selection, double detail,
                                                    const ShapePtr& shape) {
-    Made& made = made_[{shape.get(), selection.part}];
+    Made& made = made_[{shape.get(), selection.part, detail}];
+    made.frames_unused = 0;
     const auto chunks = shape->chunks();
     if (made.shape.lock() == shape && made.geometry == chunks->order_revision) return made;
-    made = {shape, chunks->order_revision, {}, {}, {}, {}, {}};
-    const std::vector<std::size_t> numbers = strand_numbers(*shape);
+    made = {shape, chunks->order_revision, {}, {}, {}, {}, {}, 0};
+    const std::vector<char> drawn = drawn_primitives(*shape, selection, detail);
     const std::size_t each = Primitives{*shape}.indices_each();
     std::vector<std::uint32_t> primitives;
     for (std::size_t chunk = 0; chunk < chunks->count(); ++chunk) {
         made.chunk_firsts.push_back(primitives.size() * each);
         for (std::size_t i = chunks->first(chunk); i < chunks->first(chunk + 1); ++i)
-            if (const std::uint32_t primitive = (*chunks->order)[i];
-                int(numbers[primitive] % std::size_t(selection.parts)) == selection.part)
+            if (const std::uint32_t primitive = (*chunks->order)[i]; drawn[primitive])
                 primitives.push_back(primitive);
     }
     made.chunk_firsts.push_back(0);
@@ -156,7 +162,10 @@ void PrimitiveOrders::fill(Made& made, const Shape& shape,
 }
 
 void PrimitiveOrders::collect() {
-    std::erase_if(made_, [](const auto& entry) { return entry.second.shape.expired(); });
+    for (auto& [key, made] : made_) ++made.frames_unused;
+    std::erase_if(made_, [](const auto& entry) {
+        return entry.second.shape.expired() || entry.second.frames_unused > most_frames_unused;
+    });
 }
 
 }  // namespace opacity::render

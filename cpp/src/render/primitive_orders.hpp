@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,8 @@ class PrimitiveOrders {
     // For the pass's selection of a shape's primitives, made again when the shape or, for an order,
     // the view has moved. A volume is one primitive.
     Indices indices(const Pass& pass, const ShapePtr& shape, const GpuShape& gpu);
-    // Frees the buffers of shapes that are gone.
+    // Frees the buffers of shapes that are gone, and those that no pass wanted for long. Once a
+    // frame.
     void collect();
 
    private:
@@ -40,14 +42,15 @@ class PrimitiveOrders {
         ChunkRanges seen;
         std::optional<gl::Buffer> buffer, primitives;
         std::vector<std::size_t> chunk_firsts;  // and the end
+        int frames_unused = 0;
     };
     const Made& back_to_front(const Pass& pass, const ShapePtr& shape, const ChunkRanges& seen);
-    const Made& part(const Selection& selection, const ShapePtr& shape);
+    const Made& part(const Selection& selection, double detail, const ShapePtr& shape);
     void fill(Made& made, const Shape& shape, const std::vector<std::uint32_t>& primitives) const;
 
     std::shared_ptr<gl::Context> context_;
-    // By shape and part; the whole in an order is part -1.
-    std::map<std::pair<const Shape*, int>, Made> made_;
+    // By shape, part, and the part of the strands; the whole in an order is part -1.
+    std::map<std::tuple<const Shape*, int, double>, Made> made_;
 };
 
 }  // namespace opacity::render

@@ -154,7 +154,8 @@ LightSpace LightFit::fit_directional(const Scene& scene, const DirectionalLight&
             .texels_per_unit = texels_per_unit,
             .least_bias = least_bias(scene),
             .faces = {},
-            .splits = {}};
+            .splits = {},
+            .strand_detail = 1.0};
 }
 
 }  // namespace opacity

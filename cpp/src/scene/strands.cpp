@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <mutex>
 #include <numeric>
 #include <string>
 
 #include "opacity/core/error.hpp"
 #include "scene/check.hpp"
+#include "scene/strand_ranks.hpp"
 
 namespace opacity {
 namespace {
@@ -40,9 +42,15 @@ std::vector<std::uint32_t> segments_of(const std::vector<std::int64_t>& offsets)
 
 }  // namespace
 
+struct Strands::RankSlot {
+    std::once_flag found;
+    StrandRanks ranks;
+};
+
 Strands::Strands(Positions points, std::vector<std::int64_t> offsets, std::vector<float> width,
                  std::vector<float> opacity, std::vector<float3> color)
-    : Shape{std::move(points), std::move(opacity), std::move(color)} {
+    : Shape{std::move(points), std::move(opacity), std::move(color)},
+      ranks_{std::make_shared<RankSlot>()} {
     check_offsets(offsets, points_.size());
     segments_ = segments_of(offsets);
     offsets_ = std::move(offsets);
@@ -56,6 +64,11 @@ void Strands::assign_width(std::vector<float> width) {
     max_width_ = width.empty() ? 0.f : *std::max_element(width.begin(), width.end());
     mean_width_ = width.empty() ? 0.f : float(sum / double(width.size()));
     width_ = std::move(width);
+}
+
+std::shared_ptr<const StrandRanks> Strands::ranks() const {
+    std::call_once(ranks_->found, [&] { ranks_->ranks = ranks_of(*this); });
+    return {ranks_, &ranks_->ranks};
 }
 
 void Strands::set_width(std::vector<float> width) {

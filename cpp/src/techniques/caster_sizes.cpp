@@ -9,6 +9,7 @@
 #include "opacity/scene/particles.hpp"
 #include "opacity/scene/strands.hpp"
 #include "opacity/scene/volume.hpp"
+#include "scene/strand_ranks.hpp"
 
 namespace opacity::techniques {
 namespace {
@@ -107,17 +108,19 @@ std::vector<CasterSize> caster_sizes(const DrawList& casters) {
 
 double most_texels(const CasterSize& size, const Shape& shape, const LightSpace& space) {
     if (std::isinf(size.length)) return infinite;
-    const double scale = texels_a_unit(size.length + size.width, shape.bounds(), space);
+    const double width = size.width * widening_of(shape, space.strand_detail);
+    const double scale = texels_a_unit(size.length + width, shape.bounds(), space);
     // Texels that are touched, of a ribbon across an axis that it may cross at 45 degrees.
-    return (scale * size.length + 2.0) * (scale * std::numbers::sqrt2 * size.width + 2.0);
+    return (scale * size.length + 2.0) * (scale * std::numbers::sqrt2 * width + 2.0);
 }
 
-std::size_t small_caster_count(const DrawList& casters) {
+std::size_t small_caster_count(const DrawList& casters, double strand_detail) {
     std::size_t count = 0;
     for (const ShapePtr& shape : casters.shapes()) {
         const auto lock = shape->lock();
         const bool is_surface = dynamic_cast<const Mesh*>(shape.get());
-        if (!is_surface && !dynamic_cast<const Volume*>(shape.get())) count += caster_count(*shape);
+        if (is_surface || dynamic_cast<const Volume*>(shape.get())) continue;
+        count += std::size_t(double(caster_count(*shape)) / widening_of(*shape, strand_detail));
     }
     return count;
 }

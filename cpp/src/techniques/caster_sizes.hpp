@@ -24,8 +24,8 @@ std::vector<CasterSize> caster_sizes(const DrawList& casters);
 // it.
 double most_texels(const CasterSize& size, const Shape& shape, const LightSpace& space);
 
-// Segments and particles, which no rasteriser need draw.
-std::size_t small_caster_count(const DrawList& casters);
+// Segments of a part of the strands, and particles, which no rasteriser need draw.
+std::size_t small_caster_count(const DrawList& casters, double strand_detail);
 
 // More optical depth than a texel can hold of these casters; infinite with volumes.
 double most_optical_depth(const DrawList& casters);

@@ -28,7 +28,7 @@ struct Choosing {
 Choosing choose_deposit(const ShadowInputs& inputs, const std::string& accumulator, int images) {
     if (accumulator != "float32") return {false, "accumulator is " + accumulator};
     const std::size_t texels = std::size_t(inputs.space.width_px()) * inputs.space.height_px();
-    const std::size_t casters = small_caster_count(inputs.translucent);
+    const std::size_t casters = small_caster_count(inputs.translucent, inputs.space.strand_detail);
     const std::size_t sum_bytes = 4 * texels * std::size_t(images);
     if (sum_bytes > most_sum_bytes)
         return {false, "sums would take " + std::to_string(sum_bytes >> 20) + " MiB"};

@@ -45,6 +45,7 @@ LookUp Technique::look_up(const ShadowInputs& inputs, Reads reads,
     Defines defines{{"FILTER_" + (bilinear ? "bilinear" : filter.get()), "1"}};
     if (filter_domain.is("density")) defines.emplace_back("DENSITY_FILTER", "1");
     for (const auto& define : light_defines(inputs.space)) defines.push_back(define);
+    if (inputs.space.strand_detail < 1.0) defines.emplace_back("FEWER_STRANDS", "1");
     return {.reads = std::move(reads), .defines = std::move(defines), .on_cpu = std::move(on_cpu)};
 }
 

@@ -78,7 +78,7 @@ struct Pass {
     Shader shader = {};                  // none: the pass computes on the CPU
     DrawList* draws = nullptr;           // shapes to draw; an empty list culls the pass
     const View* view = nullptr;          // from where it draws them
-    bool draws_unseen = false;           // also the chunks of them that the view does not see
+    bool draws_unseen = false;           // also chunks and strands that the view does not see
     DrawList* only_with = nullptr;       // draws nothing, and is culled while this list is empty
     Reads reads = {};                    // textures, values, parameters, views, parts of shapes
     Reads camera_reads = {};             // those of Shader::camera_technique, for its names

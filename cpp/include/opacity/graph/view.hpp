@@ -59,6 +59,14 @@ class View : public UniformSet {
         touch();
     }
 
+    // The part of the strands that it sees, each as many times as wide; 1: all, as they are.
+    double strand_detail() const noexcept { return strand_detail_; }
+    void set_strand_detail(double detail) {
+        if (detail == strand_detail_) return;
+        strand_detail_ = detail;
+        touch();
+    }
+
     // Whether it sees nothing of what lies within `reach` of a box of the world.
     using IsOut = std::function<bool(const Box& world, double reach)>;
     // Finds what of each shape it sees, as it and the shape are now; `is_out` must follow from what
@@ -82,6 +90,7 @@ class View : public UniformSet {
     };
     double4x4 from_world_ = identity;
     int faces_ = 0;
+    double strand_detail_ = 1.0;
     std::map<const Shape*, Seen> seen_;
 };
 

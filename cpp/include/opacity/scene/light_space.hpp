@@ -58,6 +58,9 @@ struct LightSpace {
     // A place is looked up in the first of these that holds it, else in the whole map. None: the
     // whole map alone.
     std::vector<LightSplit> splits = {};
+    // The part of the strands that its map holds, each as many times as wide:
+    // scene/strand_ranks.hpp.
+    double strand_detail = 1.0;
     bool operator==(const LightSpace&) const = default;
 
     bool is_parallel() const { return faces.empty(); }

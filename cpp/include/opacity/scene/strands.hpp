@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "opacity/scene/shape.hpp"
 
 namespace opacity {
+
+struct StrandRanks;
 
 class Strands : public Shape {
    public:
@@ -28,6 +31,9 @@ class Strands : public Shape {
     std::size_t strand_count() const { return offsets_->size() - 1; }
     // The first point of every segment: a segment joins points[i] and points[i + 1] of one strand.
     const std::vector<std::uint32_t>& segments() const { return *segments_; }
+    // Which of them a map that holds fewer leaves out first; found when first asked for, and the
+    // same for all instances, while points move too. With the lock held.
+    std::shared_ptr<const StrandRanks> ranks() const;
     float mean_width() const { return mean_width_; }
     double strand_width() const override { return mean_width_ * scale(); }
 
@@ -39,6 +45,8 @@ class Strands : public Shape {
     Shared<std::vector<std::int64_t>> offsets_;
     Shared<std::vector<float>> width_;
     Shared<std::vector<std::uint32_t>> segments_;
+    struct RankSlot;
+    std::shared_ptr<RankSlot> ranks_;
     float max_width_ = 0.f, mean_width_ = 0.f;
 };
 
