@@ -17,17 +17,12 @@ uniform int u_layers;  // K
 
 // Each tile has planes of its own: a curve is its index.
 float plane(int curve, int k) { return tile_plane(curve, k, u_layers); }
+int layer_of(int curve, float x) { return tile_layer_of(curve, x, u_layers); }
 #else
 // Of [0, 1]: K + 1 for each of the split curves that texels choose from, the first 0, the last 1.
 uniform float u_planes[CURVES * (MOST_LAYERS + 1)];
 
 float plane(int curve, int k) { return u_planes[curve * (u_layers + 1) + k]; }
-#endif
-
-// Position between the bounds; 0 where they coincide.
-float between(float start, float end, float depth) {
-    return end > start ? clamp((depth - start) / (end - start), 0.0, 1.0) : 0.0;
-}
 
 // The layer j in 0 .. K-1 with plane j <= x < plane j + 1; the last one is closed at its end.
 int layer_of(int curve, float x) {
@@ -38,6 +33,12 @@ int layer_of(int curve, float x) {
         else low = middle;
     }
     return low;
+}
+#endif
+
+// Position between the bounds; 0 where they coincide.
+float between(float start, float end, float depth) {
+    return end > start ? clamp((depth - start) / (end - start), 0.0, 1.0) : 0.0;
 }
 
 // Whether x lies in a layer before plane k: without looking for that layer.

@@ -5,9 +5,7 @@
 #include "lib/invocation.glsl"
 #include "lib/layer_map.glsl"
 #include "lib/opacity.glsl"
-#ifndef TOLD_EVENLY
 #include "lib/tile_planes.glsl"
-#endif
 
 uniform int u_layers;
 uniform float u_even_part;
@@ -41,17 +39,19 @@ void main() {
     float all = taken(tile, TOLD_LAYERS);
     int i = 0;
     vec2 before = vec2(0.0), here = vec2(0.0);  // a border, and what part of all planes lie in front
-    vec4 places = vec4(1.0);
+    vec4 places = vec4(no_plane);
     for (int k = 1; k < u_layers; ++k) {
         float wanted = float(k) / float(u_layers);
         while (i < TOLD_LAYERS && !(here.y > wanted)) {
             before = here;
             ++i;
-            here.x = border(index, i);
+            here.x = border(tile_index(tile), i);
             here.y = mix(all > 0.0 ? taken(tile, i) / all : here.x, here.x, u_even_part);
         }
         places[(k - 1) % 4] = min(mix(before.x, here.x, (wanted - before.y) / (here.y - before.y)), last_place);
-        if (k % 4 == 0 || k == u_layers - 1) imageStore(i_tile_planes, ivec3(tile, (k - 1) / 4), places);
+        if (k % 4 != 0 && k < u_layers - 1) continue;
+        imageStore(i_tile_planes, ivec3(tile, (k - 1) / 4), places);
+        places = vec4(no_plane);
     }
 }
 #else

@@ -15,7 +15,7 @@
 // for every four of at least 16 layers. Without `refine` a blended and a compute pass less; over
 // frames the histogram is drawn in the first one alone, and later planes start from those before.
 // A tile of texels has 16 ceil(K / 4) bytes of planes. Look-up: 4 texels, 2 bounds, 2 planes and
-// log2(K) places of planes each.
+// log2(K) - 1 images of planes' places each.
 //
 // Fails: clusters that a sixteenth of the texel's depth does not tell apart share their layers; in
 // smooth media few layers are better spread evenly (4 in clouds: by .0004 of T); over frames, what
