@@ -7,8 +7,12 @@ uniform int u_smoothing;  // texels to each side
 uniform sampler2D t_start;
 
 #ifdef LAYERS
-uniform sampler2DArray t_opacity;
+#include "lib/layer_map.glsl"
+#if PLANES_AN_IMAGE == 4
 layout(rgba32f) writeonly uniform image2DArray i_opacity;
+#else
+layout(r32f) writeonly uniform image2DArray i_opacity;
+#endif
 #else
 layout(r32f) writeonly uniform image2D i_start;
 #endif
@@ -42,7 +46,8 @@ void main() {
 #ifdef LAYERS
     vec4 mean = sum / count;
 #ifdef PACKED
-    if (texel.z == 0) mean.a = texelFetch(t_start, texel.xy, 0).x;  // smooth already
+    if (texel.z == start_slot / PLANES_AN_IMAGE)  // smooth already
+        mean[start_slot % PLANES_AN_IMAGE] = texelFetch(t_start, texel.xy, 0).x;
 #endif
     imageStore(i_opacity, texel, mean);
 #else

@@ -16,7 +16,7 @@ void main() {
     if (texel.y >= size.y) return;
     float before = 0.0;
     for (int cell = 0; cell < CELLS; ++cell) {
-        float sum = texelFetch(t_histogram, ivec3(texel, cell / 4), 0)[cell % 4];
+        float sum = texelFetch(t_histogram, ivec3(texel, cell / PLANES_AN_IMAGE), 0)[cell % PLANES_AN_IMAGE];
         cell_held[cell] = sum - before;
         before = sum;
     }

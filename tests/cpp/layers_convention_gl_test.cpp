@@ -2,12 +2,17 @@
 // other conventions.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "compute_harness.hpp"
+#include "map/block_sample.hpp"
 #include "map/clusters.hpp"
 #include "map/depth_bits.hpp"
 #include "map/monotone_cubic.hpp"
+#include "map/planes.hpp"
 #include "techniques/drawn_layers.hpp"
 
 using namespace opacity;
@@ -72,6 +77,39 @@ TEST_CASE("depths of few bits are the same in GLSL and C++") {
     });
 }
 
+TEST_CASE("a tile with planes of its own finds the layers that a list does") {
+    const auto context = context_or_skip();
+    if (!context) return;
+    for (const int layers : {2, 5, 8, 16, 17, 64}) {
+        CAPTURE(layers);
+        const int images = (layers + 2) / 4;
+        Random random;
+        std::vector<float> planes(std::size_t(layers) + 1, 1.f);
+        for (int k = 0; k < layers; ++k)
+            planes[std::size_t(k)] = float(k * k) / float(layers * layers);
+        std::vector<float> places(std::size_t(4 * images), 2.f);
+        std::copy(planes.begin() + 1, planes.end() - 1, places.begin());
+        opacity::gl::Texture texture{context, GL_TEXTURE_2D_ARRAY, GL_RGBA32F, 1, 1, images};
+        texture.write(std::as_bytes(std::span{places}));
+        Evaluator evaluator{
+            context,
+            {"#define TILE_PX 1\n#include \"lib/planes.glsl\"\n", 2, 2,
+             "int layers = int(given(1)), layer = tile_layer_of(0, given(0), layers);\n"
+             "result(0) = float(layer);\n"
+             "result(1) = tile_plane(0, layer, layers);"}};
+        evaluator.set_texture("t_tile_planes", std::move(texture));
+        Table given;
+        for (const float plane : planes)
+            for (const float x : {plane, std::nextafter(plane, 0.f), std::nextafter(plane, 1.f)})
+                given.push_back({x, float(layers)});
+        for (int i = 0; i < 500; ++i) given.push_back({random(0, 1), float(layers)});
+        check_agreement(given, evaluator(given), [&](const Row& row) {
+            const int layer = layer_of(planes, row[0]);
+            return Row{float(layer), planes[std::size_t(layer)]};
+        });
+    }
+}
+
 TEST_CASE("planes stand in the same channels in GLSL and C++, each in one of its own") {
     const auto context = context_or_skip();
     if (!context) return;
@@ -88,7 +126,40 @@ TEST_CASE("planes stand in the same channels in GLSL and C++, each in one of its
         check_agreement(given, evaluator(given), [&](const Row& row) {
             const techniques::Slot slot = techniques::slot_of(int(row[0]), is_packed);
             CHECK_FALSE((is_packed && slot.target == 0 && slot.channel == 3));
+            const techniques::Slot alone = techniques::slot_of(int(row[0]), is_packed, 1);
+            CHECK(alone.channel == 0);
+            CHECK(alone.target == 4 * slot.target + slot.channel);
             return Row{float(4 * slot.target + slot.channel), row[0]};
+        });
+    }
+}
+
+TEST_CASE("the blocks that a search looks at stand in the same places in GLSL and C++") {
+    const auto context = context_or_skip();
+    if (!context) return;
+    for (const int stride : {1, 4, 7}) {
+        CAPTURE(stride);
+        Evaluator evaluator{
+            context,
+            {"#include \"lib/block_sample.glsl\"\n",
+             2,
+             5,
+             "ivec2 texel = ivec2(given(0), given(1)), place = packed_place(texel);\n"
+             "result(0) = is_sampled(texel) ? 1.0 : 0.0;\n"
+             "result(1) = float(place.x);\n"
+             "result(2) = float(place.y);\n"
+             "result(3) = float(unpacked_texel(texel).x);\n"
+             "result(4) = float(unpacked_texel(texel).y);",
+             {{"BLOCK_STRIDE", std::to_string(stride)}}}};
+        Random random;
+        Table given;
+        for (int i = 0; i < 2000; ++i)
+            given.push_back({float(random.below(512)), float(random.below(512))});
+        const BlockSample blocks{stride};
+        check_agreement(given, evaluator(given), [&](const Row& row) {
+            const int x = int(row[0]), y = int(row[1]);
+            return Row{float(blocks.holds(x, y)), float(blocks.packed(x)), float(blocks.packed(y)),
+                       float(blocks.unpacked(x)), float(blocks.unpacked(y))};
         });
     }
 }

@@ -117,7 +117,7 @@ def sheet_at(height: float) -> tuple[Any, Any]:
 
 def test_every_texture_agrees_with_the_gpu(needs_gl: None) -> None:
     scene = tufts()
-    technique = po.technique("bounding_opacity_maps", layers=8)
+    technique = po.technique("bounding_opacity_maps", layers=8, deposit="blend")
 
     def textures(renderer: po.Renderer) -> list[Any]:
         renderer.transmittance(scene.shapes[0])

@@ -116,7 +116,7 @@ def test_the_found_extent_is_nearly_the_best(errors: Errors) -> None:
 def test_four_n_minus_one_layers_fill_n_targets(needs_gl: None) -> None:
     scene, strands = hair(3000)
     for layers, targets in ((3, 1), (4, 2), (7, 2), (64, 17)):
-        technique = po.technique(DOM, layers=layers)
+        technique = po.technique(DOM, layers=layers, deposit="blend")
         with po.Renderer(scene, technique=technique, map_size=48) as renderer:
             plain = renderer.transmittance(strands)
             technique.packing = "4n-1"

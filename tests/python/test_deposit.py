@@ -21,7 +21,7 @@ def deposited(scene_shapes, map_size, direction=LIGHT):
         r.transmittance(np.zeros((1, 3)))
         planes = r.read("bounding_opacity_maps/opacity")
         matrix = r.light_from_world
-    total = planes[..., 3].sum(dtype=np.float64)  # plane 4 of 4: all of it
+    total = planes[-1, ..., -1].sum(dtype=np.float64)  # plane 4 of 4: all of it
     return total / oracle.texels_per_unit(matrix) ** 2, matrix
 
 

@@ -169,7 +169,7 @@ def test_a_million_overlaps_are_counted(needs_gl, opacity, tau, interpolation):
     ) as renderer:
         z = np.float32([0.1, -0.3, -0.6, -1.1])
         T = renderer.transmittance(np.stack([0 * z, 0 * z, z], 1))
-        middle = renderer.read(f"{MAPS}/opacity")[0, 4, 4]
+        middle = renderer.read(f"{MAPS}/opacity")[:, 4, 4, 0]
         note = next(row.note for row in renderer.report if row.name == f"{MAPS}/opacity")
     planes = tau * count * np.arange(1, layers + 1) / layers
     assert middle == pytest.approx(planes, rel=1e-5, abs=count * 2.0**-38)
@@ -187,6 +187,39 @@ def test_a_faint_caster_beside_the_densest_keeps_its_digits(needs_gl):
         T = renderer.transmittance(np.float32([[8, 0, -1], [0, 0, -1]]))
     assert T[0] == pytest.approx(1 - 1e-5, abs=2e-7)
     assert T[1] == 0
+
+
+@pytest.mark.parametrize("technique", [*LAYERED, "adaptive_opacity_maps"])
+def test_what_moves_leaves_no_bit_behind(needs_gl, technique):
+    """Texels that have become empty are skipped, and hold what they hold in a new map."""
+    near, far = hair(), hair()
+    far.transform = np.array([[1, 0, 0, 9], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], float)
+    scene = po.Scene(near, far, LIGHTS["directional"]())
+    turned = np.diag([-1.0, 1.0, 0.5, 1.0])
+    made = po.technique(technique, deposit="scatter")
+    with po.Renderer(scene, technique=made, map_size=96, size=(8, 8), steady=False) as renderer:
+        renderer.transmittance(near)
+        before = renderer.read(f"{technique}/opacity")
+        near.transform = turned
+        T = np.concatenate([renderer.transmittance(shape) for shape in scene.shapes])
+        planes = renderer.read(f"{technique}/opacity")
+    anew = Asked(scene, technique, deposit="scatter")
+    assert np.array_equal(planes, anew.planes)
+    assert np.array_equal(T, anew.T)
+    assert ((before[-1] > 0) & (planes[-1] == 0)).mean() > 0.01
+
+
+def test_a_scatter_keeps_no_more_than_blending(needs_gl):
+    """Sums turn into planes where they lie; one texel waits for carries."""
+
+    def kept(deposit: str) -> int:
+        scene = po.Scene(hair(), LIGHTS["directional"]())
+        made = po.technique(MAPS, deposit=deposit)
+        with po.Renderer(scene, technique=made, map_size=96, size=(8, 8)) as renderer:
+            renderer.transmittance(scene.shapes[0])
+            return sum(row.bytes for row in renderer.memory() if row.name.startswith(MAPS))
+
+    assert kept("scatter") <= kept("blend") + 64
 
 
 def test_automatic_goes_by_casters_and_texels(needs_gl):

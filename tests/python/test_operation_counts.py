@@ -24,10 +24,10 @@ DOWN = (0.0, 0.0, -1.0)
 # dispatches in them. A pass takes one; a search and a choice compute on the CPU and take none, and
 # a sort takes one for each merge and one for the sums.
 FROM_NOTHING = {
-    "bounding_opacity_maps": (9, 8),
+    "bounding_opacity_maps": (8, 7),
     "adaptive_opacity_maps": (9, 9),
     "auto": (8, 9),
-    "deep_opacity_maps": (9, 8),
+    "deep_opacity_maps": (8, 7),
     "opacity_shadow_maps": (4, 4),
     "fourier_opacity_maps": (4, 4),
     "moment_opacity_maps": (4, 4),

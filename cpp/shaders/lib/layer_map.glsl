@@ -1,8 +1,12 @@
-// How opacity layers stand in their map: plane k is channel c of layer t where 4 t + c = k - 1. With
-// PACKED the first layer keeps its alpha for the start of the texel's layers, and the planes behind
-// move on by one. C++: LayerMap in techniques/layers_on_cpu.cpp.
+// How opacity layers stand in their map: plane k is channel c of image t where 4 t + c = k - 1, or, by
+// a scatter, which takes one channel, image k - 1. With PACKED the fourth place keeps the start of the
+// texel's layers, and the planes behind move on by one. C++: techniques/drawn_layers.hpp.
+#ifndef PLANES_AN_IMAGE
+#define PLANES_AN_IMAGE 4
+#endif
 
 #ifdef PACKED
+const int start_slot = 3;
 int slot_of(int k) { return k > 3 ? k : k - 1; }
 ivec4 planes_of(int target) { return 4 * target + (target > 0 ? ivec4(0, 1, 2, 3) : ivec4(1, 2, 3, 4)); }
 #else
@@ -40,7 +44,7 @@ float plane_optical_depth(ivec2 texel, int k) {
 #ifdef SWEEP
     return restored(imageLoad(i_slices, texel)[slot % 4]);
 #else
-    return restored(texelFetch(t_opacity, ivec3(texel, slot / 4), 0)[slot % 4]);
+    return restored(texelFetch(t_opacity, ivec3(texel, slot / PLANES_AN_IMAGE), 0)[slot % PLANES_AN_IMAGE]);
 #endif
 }
 
@@ -49,7 +53,7 @@ float plane_optical_depth(ivec2 texel, int k) {
 float plane_moment(ivec2 texel, int k) {
     if (k == 0) return 0.0;
     int slot = slot_of(k);
-    return texelFetch(t_moments, ivec3(texel, slot / 4), 0)[slot % 4];
+    return texelFetch(t_moments, ivec3(texel, slot / PLANES_AN_IMAGE), 0)[slot % PLANES_AN_IMAGE];
 }
 #endif
 #endif

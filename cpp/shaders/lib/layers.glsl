@@ -22,9 +22,8 @@ float counted_part(TexelLayers layers, float begin, float end) {
 }
 
 #ifdef PASS_opacity
-// A search of planes looks at one block of 4 x 4 texels in every BLOCK_STRIDE, both ways: blocks,
-// since rasterisers skip those that are discarded whole.
-bool is_sampled(ivec2 texel) { return all(equal((texel / 4) % BLOCK_STRIDE, ivec2(0))); }
+// Blocks that a search of planes looks at, since rasterisers skip those that are discarded whole.
+#include "lib/block_sample.glsl"
 
 #ifdef SCATTERED
 #include "lib/scattered_layers.glsl"

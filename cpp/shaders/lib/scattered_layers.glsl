@@ -1,10 +1,16 @@
 // The layers of lib/layers.glsl by a scatter: what lies in a layer is added to that layer alone, in
 // fixed point, so that sums are exact and in any order the same; then each plane gets the sum of the
-// layers before it. C++: techniques/scattered_layers.cpp.
+// layers before it, in its place. C++: techniques/scattered_layers.cpp.
 
-// Layer j of 0 .. K-1 sums in image j, and optical depth times position in image K + j. What does not
-// fit into 32 bits is carried; until a carry is needed there is but one texel for all of them.
-layout(r32ui) uniform uimage2DArray i_sums, i_carries;
+// Maps of floats, an image a plane, seen as their bits: at first of what lies in the layer that the
+// plane ends, in units. For a search they hold but the blocks that it looks at, side by side.
+layout(r32ui) uniform uimage2DArray PLANES;
+#ifdef MEAN_DEPTHS
+layout(r32ui) uniform uimage2DArray i_moments;
+#endif
+// What does not fit into 32 bits, image by image, first of the planes; until a carry is needed there is
+// but one texel for all of them.
+layout(r32ui) uniform uimage2DArray i_carries;
 uniform float u_fixed_point;  // units in an optical depth of 1
 
 const float carry_units = 4294967296.0;
@@ -12,20 +18,27 @@ const float carry_units = 4294967296.0;
 #if defined(STRANDS) || defined(MESH) || defined(PARTICLES) || defined(VOLUME)
 #include "lib/deposit.glsl"
 
-void add(ivec3 place, float value) {
+// In units: what 32 bits hold of them, and carries.
+uvec2 fixed_point(float value) {
     float units = floor(value * u_fixed_point + 0.5);
-    if (!(units > 0.0)) return;
+    if (!(units > 0.0)) return uvec2(0u);
     float whole = floor(units / carry_units);
-    uint rest = uint(units - whole * carry_units);
-    uint carry = uint(whole);
-    if (imageAtomicAdd(i_sums, place, rest) > ~rest) ++carry;
-    if (carry > 0u) imageAtomicAdd(i_carries, min(place, imageSize(i_carries) - 1), carry);
+    return uvec2(uint(units - whole * carry_units), uint(whole));
+}
+
+void carry(ivec3 place, uint carries) {
+    if (carries > 0u) imageAtomicAdd(i_carries, min(place, imageSize(i_carries) - 1), carries);
 }
 
 void add_to_layer(ivec2 texel, int layer, float optical_depth, float moment) {
-    add(ivec3(texel, layer), optical_depth);
+    ivec3 place = ivec3(packed_place(texel), slot_of(layer + 1));
+    uvec2 units = fixed_point(optical_depth);
+    if (imageAtomicAdd(PLANES, place, units.x) > ~units.x) ++units.y;
+    carry(place, units.y);
 #ifdef MEAN_DEPTHS
-    add(ivec3(texel, u_layers + layer), moment);
+    units = fixed_point(moment);
+    if (imageAtomicAdd(i_moments, place, units.x) > ~units.x) ++units.y;
+    carry(place + ivec3(0, 0, imageSize(PLANES).z), units.y);
 #endif
 }
 
@@ -54,65 +67,53 @@ void scatter(ivec2 texel, Deposit deposit) {
 #else
 #include "lib/invocation.glsl"
 
-layout(rgba32f) writeonly uniform image2DArray PLANES;
-#ifdef MEAN_DEPTHS
-layout(rgba32f) writeonly uniform image2DArray i_moments;
-#endif
-
 uniform bool u_carries;  // whether there are any
 
 // In units, of 64 bits.
 struct FixedPoint {
-    uint carries, rest;
+    uint rest, carries;
 };
 
-void include_layer(inout FixedPoint sum, ivec3 place) {
-    uint rest = imageLoad(i_sums, place).x;
+void include_layer(inout FixedPoint sum, uint rest, ivec3 place) {
     sum.rest += rest;
     if (sum.rest < rest) ++sum.carries;
     if (u_carries) sum.carries += imageLoad(i_carries, place).x;
 }
 
-float value_of(FixedPoint sum) {
-    return (carry_units / u_fixed_point) * float(sum.carries) + float(sum.rest) / u_fixed_point;
+// As a float's bits: all 0 where there is nothing.
+uvec4 bits_of(FixedPoint sum) {
+    float value = (carry_units / u_fixed_point) * float(sum.carries) + float(sum.rest) / u_fixed_point;
+    return uvec4(floatBitsToUint(value));
 }
 
-// How many of a texel's layers may hold something.
-int filled_layers(ivec2 texel) {
+// No caster has come into it, so that all of its planes are 0 as they were filled.
+bool is_empty(TexelLayers layers) {
 #ifdef ENDS_AT_LAST_CASTER
-    TexelLayers layers = texel_layers(texel);
-    if (layers.start == 1.0 && layers.end == 0.0) return 0;  // as maps without casters are filled
+    return layers.end < layers.start;
+#else
+    return false;
 #endif
-    return u_layers;
 }
 
-// The planes of one image after the other. Behind the last plane nothing is added.
 void main() {
-    ivec3 size = imageSize(PLANES);
+    ivec2 size = imageSize(PLANES).xy;
     int index = int(invocation_index());
     ivec2 texel = ivec2(index % size.x, index / size.x);
     if (texel.y >= size.y) return;
+    TexelLayers layers = texel_layers(unpacked_texel(texel));
+    if (is_empty(layers)) return;
     FixedPoint sum = FixedPoint(0u, 0u), moments = FixedPoint(0u, 0u);
-    int counted = 0, filled = filled_layers(texel);
-    for (int target = 0; target < size.z; ++target) {
-        ivec4 planes = planes_of(target);
-        vec4 sums, moment_sums;
-        for (int i = 0; i < 4; ++i) {
-            for (; counted < min(planes[i], filled); ++counted) {
-                include_layer(sum, ivec3(texel, counted));
+    for (int k = 1; k <= u_layers; ++k) {
+        ivec3 place = ivec3(texel, slot_of(k));
+        include_layer(sum, imageLoad(PLANES, place).x, place);
+        imageStore(PLANES, place, bits_of(sum));
 #ifdef MEAN_DEPTHS
-                include_layer(moments, ivec3(texel, u_layers + counted));
-#endif
-            }
-            sums[i] = value_of(sum), moment_sums[i] = value_of(moments);
-        }
-#ifdef PACKED
-        if (target == 0) sums.a = texel_layers(texel).start;
-#endif
-        imageStore(PLANES, ivec3(texel, target), sums);
-#ifdef MEAN_DEPTHS
-        imageStore(i_moments, ivec3(texel, target), moment_sums);
+        include_layer(moments, imageLoad(i_moments, place).x, place + ivec3(0, 0, imageSize(PLANES).z));
+        imageStore(i_moments, place, bits_of(moments));
 #endif
     }
+#ifdef PACKED
+    imageStore(PLANES, ivec3(texel, start_slot), uvec4(floatBitsToUint(layers.start)));
+#endif
 }
 #endif

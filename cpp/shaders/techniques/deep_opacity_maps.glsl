@@ -5,7 +5,9 @@
 uniform float u_layers_depth;  // d_K: from the start of the layers to their end
 
 #if defined(PACKED) && !defined(PASS_opacity)
-float first_depth(ivec2 texel) { return texelFetch(t_opacity, ivec3(texel, 0), 0).a; }
+float first_depth(ivec2 texel) {
+    return texelFetch(t_opacity, ivec3(texel, start_slot / PLANES_AN_IMAGE), 0)[start_slot % PLANES_AN_IMAGE];
+}
 #else
 uniform sampler2D t_start;
 float first_depth(ivec2 texel) { return texelFetch(t_start, texel, 0).x; }

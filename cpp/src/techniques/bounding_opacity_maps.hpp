@@ -13,7 +13,8 @@
 //
 // Cost: a pass for the bounds and ceil(K / 16) blended passes into two arrays of ceil(K / 4)
 // RGBA32F layers; 8 + 32 ceil(K / 4) bytes a texel. With linear interpolation ceil(K / 32) passes
-// into one. By scatter one pass, whatever K is, and 4 K bytes a texel more, 8 K with mean depths.
+// into one. By scatter one pass, whatever K is, and 8 K + 8 bytes a texel, 4 K + 8 without mean
+// depths.
 // The search, when the casters, their opacity or the light changed: 2 more passes and one
 // read-back, or a read-back in each of eleven frames; of per_texel and per_region, when these
 // moved, 4 more passes, and 308 bytes a texel (at 512^2). Look-up: 4 texels, 2 bounds and 2 planes

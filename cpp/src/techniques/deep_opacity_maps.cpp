@@ -96,9 +96,9 @@ void DeepOpacityMaps::add_search(FrameGraph& graph, const ShadowInputs& inputs,
     auto& fine_depth = graph.value("fine/layers_depth", 1.f);
     const DrawnLayers histogram =
         add_histogram(graph, inputs, way, {&start, nullptr, &fine_depth}, fine_ratio);
-    const SampledLayers sampled = add_sampled_texels(graph, inputs, histogram);
+    const SampledLayers sampled = add_sampled_layers(graph, inputs, histogram);
     graph.add({.name = "extent",
-               .reads = {&sampled.texels, &sampled.drawn.planes, &layers, &layer_sizes, &beyond},
+               .reads = sampled.reads({&sampled.drawn.planes, &layers, &layer_sizes, &beyond}),
                .values = {&places.planes, &places.depth},
                .execute = [this, sampled, places](PassContext& context) {
                    const Layout laid =

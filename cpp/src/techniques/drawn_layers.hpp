@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <string>
 #include <vector>
 
 #include "map/block_sample.hpp"
@@ -10,22 +11,23 @@
 
 namespace opacity::techniques {
 
-constexpr int targets_per_pass = 8;  // what OpenGL 4.5 guarantees
-constexpr int planes_per_target = 4;
+constexpr int targets_per_pass = 8;   // what OpenGL 4.5 guarantees
+constexpr int planes_per_target = 4;  // of what is blended; a scatter takes one
 
-// Where a plane stands in a map: a channel of one of its layers. GLSL: lib/layer_map.glsl.
+// Where a plane stands in a map: a channel of one of its images. GLSL: lib/layer_map.glsl.
 struct Slot {
     std::size_t target, channel;
 };
-// Of plane k in 1 .. K; in a packed map the first layer's alpha is the start of a texel's layers.
-inline Slot slot_of(int k, bool is_packed) {
-    const auto slot = std::size_t(is_packed && k > 3 ? k : k - 1);
-    return {slot / planes_per_target, slot % planes_per_target};
+// Of plane k in 1 .. K; in a packed map the fourth place is the start of a texel's layers.
+inline Slot slot_of(int k, bool is_packed, int an_image = planes_per_target) {
+    const int slot = is_packed && k > 3 ? k : k - 1;
+    return {std::size_t(slot / an_image), std::size_t(slot % an_image)};
 }
 
 // In the memory of an array of images, each of so many texels.
-inline std::size_t index_of(const Slot& slot, std::size_t texel, std::size_t texel_count) {
-    return (slot.target * texel_count + texel) * planes_per_target + slot.channel;
+inline std::size_t index_of(const Slot& slot, std::size_t texel, std::size_t texel_count,
+                            int an_image = planes_per_target) {
+    return (slot.target * texel_count + texel) * std::size_t(an_image) + slot.channel;
 }
 
 // What one pass draws of layers: of so many layers of the map and of the moments, or one of these.
@@ -82,12 +84,17 @@ struct DrawnLayers {
         return std::size_t(kept.packed(y)) * std::size_t(map.desc().width) +
                std::size_t(kept.packed(x));
     }
+    int planes_an_image() const { return channels(map.desc().format); }
+    // What tells a shader of it.
+    Defines::value_type image_define() const {
+        return {"PLANES_AN_IMAGE", std::to_string(planes_an_image())};
+    }
     int layer_count() const { return int(planes.get().size()) / curves.count() - 1; }
 
     // The optical depth that a 1 in the map means.
     float unit() const { return kappa ? kappa->get() : 1.f; }
     Slot slot_of(int k) const {
-        const Slot slot = techniques::slot_of(k, is_packed);
+        const Slot slot = techniques::slot_of(k, is_packed, planes_an_image());
         return is_swept ? Slot{0, slot.channel} : slot;
     }
     void add_to(Reads& reads) const {

@@ -20,15 +20,20 @@ int fine_layer_count(int map_width_px);
 // The texels that a search looks at.
 BlockSample searched_blocks(int map_width_px);
 
-// Those blocks of drawn layers side by side, so that a search reads back no more than it looks at.
+// Those blocks of drawn layers: where they are kept so, the layers' own textures, else copies.
 struct SampledLayers {
     DrawnLayers drawn;
-    Texture& texels;  // images of the layers, of their moments, and of the span
-    int map_width_px, map_height_px;
+    const Texture& map;
+    const Texture* moments;      // null: none
+    const Texture *start, *end;  // null: without a span
 
-    BlockSample blocks() const { return searched_blocks(map_width_px); }
+    void add_to(Reads& reads) const;
+    Reads reads(Reads more) const {
+        add_to(more);
+        return more;
+    }
 };
-SampledLayers add_sampled_texels(FrameGraph& graph, const ShadowInputs& inputs,
+SampledLayers add_sampled_layers(FrameGraph& graph, const ShadowInputs& inputs,
                                  const DrawnLayers& drawn);
 
 // Some of them, the same whatever layers of the same casters.

@@ -17,21 +17,14 @@ namespace {
 // A scatter takes longer for every texel, and less for every caster: about as long as blending
 // where there are so many texels for each of these (docs/performance.md).
 constexpr std::size_t texels_a_caster = 32;
-// Bytes of the fixed-point sums, beside those of the maps.
-constexpr std::size_t most_sum_bytes = std::size_t{1} << 30;
-
 struct Choosing {
     bool scatters;
     std::string why;
 };
-// `images`: how many sums a texel has at once.
-Choosing choose_deposit(const ShadowInputs& inputs, const std::string& accumulator, int images) {
+Choosing choose_deposit(const ShadowInputs& inputs, const std::string& accumulator) {
     if (accumulator != "float32") return {false, "accumulator is " + accumulator};
     const std::size_t texels = std::size_t(inputs.space.width_px()) * inputs.space.height_px();
     const std::size_t casters = small_caster_count(inputs.translucent, inputs.space.strand_detail);
-    const std::size_t sum_bytes = 4 * texels * std::size_t(images);
-    if (sum_bytes > most_sum_bytes)
-        return {false, "sums would take " + std::to_string(sum_bytes >> 20) + " MiB"};
     return {casters * texels_a_caster >= texels, std::to_string(casters) +
                                                      " segments and particles for " +
                                                      std::to_string(texels) + " texels"};
@@ -50,11 +43,18 @@ Defines layer_defines(const DrawnLayers& drawn) {
     }
     if (drawn.tiles.places) defines.emplace_back("TILE_PX", std::to_string(drawn.tiles.tile_px));
     if (drawn.kappa) defines.emplace_back("ACCUMULATOR_unorm8", "1");
+    defines.push_back(drawn.image_define());
     // Few sizes, so that few programs are made.
-    const int planes = planes_per_target * drawn.map.desc().layers;
+    const int planes = drawn.planes_an_image() * drawn.map.desc().layers;
     if (planes > 64)  // lib/planes.glsl
         defines.emplace_back("MOST_LAYERS", std::to_string(std::bit_ceil(unsigned(planes))));
     return defines;
+}
+
+// An array for so many planes.
+TextureDesc layers_desc(const ShadowInputs& inputs, Format format, int count,
+                        bool is_packed = false) {
+    return inputs.map(format, int(slot_of(count, is_packed, channels(format)).target) + 1);
 }
 
 }  // namespace
@@ -73,8 +73,7 @@ Layered::DepositWay Layered::deposit_way(FrameGraph& graph, const ShadowInputs& 
     if (!graph.runs_shaders()) return {};  // in C++ a fragment is added once in any case
     const int fine = fine_layer_count(inputs.space.width_px());
     Choosing chosen{deposit.is("scatter"), "as asked for"};
-    if (deposit.is("auto"))
-        chosen = choose_deposit(inputs, accumulator.get(), std::max(2 * layers.get(), fine));
+    if (deposit.is("auto")) chosen = choose_deposit(inputs, accumulator.get());
     if (!chosen.scatters) return {std::nullopt, chosen.why};
     return {Scatter{graph, inputs, std::max(layers.get(), fine)}, chosen.why};
 }
@@ -91,19 +90,16 @@ DrawnLayers Layered::add_layers(FrameGraph& graph, const ShadowInputs& inputs,
                                 const Options& options) const {
     const Format format = accumulator.is("unorm8")    ? Format::rgba8
                           : accumulator.is("float16") ? Format::rgba16f
-                                                      : Format::rgba32f;
-    const int targets = int(slot_of(layers.get(), options.packed).target) + 1;
-    DrawnLayers drawn{graph.texture("opacity", inputs.map(format, targets)),
-                      planes,
-                      span,
-                      nullptr,
-                      nullptr,
-                      options.packed,
-                      options.ignores_beyond};
+                                                      : way.format();
+    const TextureDesc desc = layers_desc(inputs, format, layers.get(), options.packed);
+    DrawnLayers drawn{
+        graph.texture("opacity", desc), planes, span, nullptr, nullptr, options.packed,
+        options.ignores_beyond};
     drawn.curves = options.curves;
     drawn.tiles = options.tiles;
     if (options.mean_depths)
-        drawn.moments = &graph.texture("moments", inputs.map(Format::rgba32f, targets));
+        drawn.moments =
+            &graph.texture("moments", inputs.map(way.format(), drawn.map.desc().layers));
     if (format == Format::rgba8) {
         drawn.kappa = &graph.value("kappa", 0.f);
         drawn.kappa->set(float(options.kappa));
@@ -122,11 +118,11 @@ DrawnLayers Layered::add_histogram(FrameGraph& graph, const ShadowInputs& inputs
     fine_planes.set(layer_planes(count, split_ratio));
     const BlockSample blocks =
         in_all_texels ? BlockSample{} : searched_blocks(inputs.space.width_px());
-    TextureDesc desc = inputs.map(Format::rgba32f, count / planes_per_target);
-    // A rasteriser's pixels stand where its fragments fall; in C++ nothing need stand between.
-    const BlockSample kept = graph.runs_shaders() ? BlockSample{} : blocks;
-    if (kept.stride > 1)
-        desc.width = kept.packed_px(desc.width), desc.height = kept.packed_px(desc.height);
+    // What blends stands where its fragments fall; else nothing need stand between the blocks.
+    const bool blends = graph.runs_shaders() && !way.scatter;
+    const BlockSample kept = blends ? BlockSample{} : blocks;
+    TextureDesc desc = layers_desc(inputs, way.format(), count);
+    desc.width = kept.packed_px(desc.width), desc.height = kept.packed_px(desc.height);
     DrawnLayers drawn{graph.texture("histogram", desc), fine_planes, span};
     drawn.kept = kept;
     add_passes(graph, inputs, way, drawn, fine_layers, blocks.stride);
@@ -137,8 +133,8 @@ DrawnLayers Layered::add_trial(FrameGraph& graph, const ShadowInputs& inputs, co
                                const LayerSpan& span, Planes& planes, const Source& layer_count,
                                const TilePlanes& tiles) const {
     const int count = int(planes.get().size()) - 1;
-    const int targets = int(slot_of(count, false).target) + 1;
-    DrawnLayers drawn{graph.texture("opacity", inputs.map(Format::rgba32f, targets)), planes, span};
+    const TextureDesc desc = layers_desc(inputs, way.format(), count);
+    DrawnLayers drawn{graph.texture("opacity", desc), planes, span};
     drawn.tiles = tiles;
     add_passes(graph, inputs, way, drawn, layer_count, 1);
     return drawn;
@@ -157,7 +153,7 @@ void Layered::add_passes(FrameGraph& graph, const ShadowInputs& inputs, const De
     defines.insert(defines.end(), {{"PASS_opacity", "1"},
                                    {"SCATTERED", "1"},
                                    {"PLANES", "i_" + drawn.map.shader_name()},
-                                   {"BLOCK_STRIDE", std::to_string(block_stride)}});
+                                   {"BLOCK_STRIDE", std::to_string(drawn.kept.stride)}});
     add_scattered_layers(graph, *way.scatter, drawn,
                          way.scatter->shader(shader_path(), true, std::move(defines)),
                          way.scatter->reads(true, std::move(reads)), way.why);

@@ -49,6 +49,9 @@ class Layered : public OwnCorrected {
     struct DepositWay {
         std::optional<Scatter> scatter;
         std::string why;
+
+        // Of maps in 32 bits: there are atomics on one channel alone.
+        Format format() const { return scatter ? Format::r32f : Format::rgba32f; }
     };
     DepositWay deposit_way(FrameGraph& graph, const ShadowInputs& inputs) const;
 

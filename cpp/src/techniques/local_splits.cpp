@@ -46,6 +46,7 @@ struct LocalSearch {
     }
     Defines defines(const Choice& similarity) const {
         Defines all{{"CELLS", std::to_string(histogram.layer_count())},
+                    histogram.image_define(),
                     {"CURVES", std::to_string(split_trials)},
                     {"SIMILARITY_" + similarity.get(), "1"}};
         if (measure.has_moments) all.emplace_back("MEAN_DEPTHS", "1");

@@ -45,9 +45,9 @@ LookUp OpacityShadowMaps::build(FrameGraph& graph, const ShadowInputs& inputs) {
 void OpacityShadowMaps::add_slices(FrameGraph& graph, const ShadowInputs& inputs,
                                    const DepositWay& way, Planes& planes) const {
     const SampledLayers sampled =
-        add_sampled_texels(graph, inputs, add_histogram(graph, inputs, way, {}, 0.0));
+        add_sampled_layers(graph, inputs, add_histogram(graph, inputs, way, {}, 0.0));
     graph.add({.name = "slices",
-               .reads = {&sampled.texels, &sampled.drawn.planes, &layers},
+               .reads = sampled.reads({&sampled.drawn.planes, &layers}),
                .values = {&planes},
                .execute = [sampled, &planes, &layers = layers](PassContext& context) {
                    const auto lost = lost_light(read_texels(context, sampled));

@@ -87,8 +87,10 @@ Texture& add_smooth_depth(FrameGraph& graph, const ShadowInputs& inputs, Texture
 DrawnLayers add_smooth_layers(FrameGraph& graph, const ShadowInputs& inputs,
                               const DrawnLayers& drawn, const Param<int>& texels) {
     const int layers = drawn.map.desc().layers;
-    Texture& smooth = graph.texture("smooth/opacity", inputs.map(Format::rgba32f, layers));
-    Shader shader{.compute = "smooth.comp.glsl", .defines = {{"LAYERS", "1"}}};
+    const Format format = drawn.planes_an_image() == 1 ? Format::r32f : Format::rgba32f;
+    Texture& smooth = graph.texture("smooth/opacity", inputs.map(format, layers));
+    Shader shader{.compute = "smooth.comp.glsl",
+                  .defines = {{"LAYERS", "1"}, drawn.image_define()}};
     if (drawn.is_packed) shader.defines.emplace_back("PACKED", "1");
     graph.add({.name = "smooth_layers",
                .shader = std::move(shader),

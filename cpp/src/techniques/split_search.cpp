@@ -54,11 +54,11 @@ double relative_bias(const ShadowInputs& inputs, const AutoParam<double>& bias) 
 void SplitSearch::add_at_once(FrameGraph& graph, const ShadowInputs& inputs,
                               const DrawnLayers& histogram,
                               Value<std::vector<float>>& planes) const {
-    const SampledLayers sampled = add_sampled_texels(graph, inputs, histogram);
+    const SampledLayers sampled = add_sampled_layers(graph, inputs, histogram);
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,
-               .reads = {&sampled.texels, &histogram.planes, &layers, &similarity, &bias,
-                         &own_correction, &interpolation, &paper_lut, &request},
+               .reads = sampled.reads({&histogram.planes, &layers, &similarity, &bias,
+                                       &own_correction, &interpolation, &paper_lut, &request}),
                .values = {&planes},
                .execute = [search = *this, measure = measure(inputs), sampled, &planes,
                            bias_ls = relative_bias(inputs, bias)](PassContext& context) {
@@ -105,25 +105,20 @@ SplitSearch::Trials SplitSearch::begin_trial(FrameGraph& graph, const ShadowInpu
 const Source& SplitSearch::add_trial(FrameGraph& graph, const ShadowInputs& inputs,
                                      const Trials& trials, const DrawnLayers& drawn,
                                      const DrawnLayers& fine) const {
-    const SampledLayers sampled = add_sampled_texels(graph, inputs, drawn);
+    const SampledLayers sampled = add_sampled_layers(graph, inputs, drawn);
     std::optional<SampledLayers> exact;
     if (&fine.map != &drawn.map) {
         const FrameGraph::Scope scope{graph, "fine"};
-        exact.emplace(add_sampled_texels(graph, inputs, fine));
+        exact.emplace(add_sampled_layers(graph, inputs, fine));
     }
-    Reads reads{&sampled.texels,
-                &drawn.planes,
-                &trials.searched,
-                &inputs.light,
-                &inputs.translucent.opacity,
-                &layers,
-                &similarity,
-                &bias,
-                &own_correction,
-                &interpolation,
-                &paper_lut,
-                &request};
-    if (exact) reads.insert(reads.end(), {&exact->texels, &fine.planes});
+    Reads reads{&drawn.planes,  &trials.searched, &inputs.light, &inputs.translucent.opacity,
+                &layers,        &similarity,      &bias,         &own_correction,
+                &interpolation, &paper_lut,       &request};
+    sampled.add_to(reads);
+    if (exact) {
+        exact->add_to(reads);
+        reads.push_back(&fine.planes);
+    }
     graph.add({.name = "split_search",
                .only_with = &inputs.translucent,
                .reads = std::move(reads),

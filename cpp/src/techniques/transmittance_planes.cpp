@@ -98,6 +98,7 @@ void add_transmittance_planes(FrameGraph& graph, const ShadowInputs& inputs,
     even_part.set(wanted.even_part);
     Reads reads{&told.map, &wanted.layers.source, &even_part};
     Defines defines{{"PASS_tile_planes", "1"},
+                    told.image_define(),
                     {"TOLD_LAYERS", std::to_string(told.layer_count())},
                     {"TILE_PX", std::to_string(wanted.planes.tile_px)}};
     if (told.tiles.places)

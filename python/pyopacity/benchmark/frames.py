@@ -19,7 +19,7 @@ from pyopacity.technique import UNSHADOWED
 
 CAMERA, NOTHING, MAPS, SEARCH = "camera", "nothing", "maps", "passes of a search"
 FIXED_SPLIT = f"{ways.BOUNDING}, fixed split"
-_OF_A_SEARCH = ("histogram", "sampled_texels", "split_search")
+_OF_A_SEARCH = ("histogram", "sampled_", "split_search")  # what names start with
 _TURN = 0.002  # of the camera's place, from frame to frame, in sides of the scene
 _NOTE = """Everything: every pass anew, over the same of a frame without shadows. Camera: only the
 camera moves. Unchanged: nothing does. Pictures are opaque, so that the shadow is all that differs,
@@ -91,7 +91,7 @@ def _frames(renderer: Renderer, scene: Scene) -> Callable[[], Parts]:
         renderer.invalidate()
         found = {WHOLE: seconds_of(renderer.render)}
         found[MAPS] = passes(makes_maps)
-        found[SEARCH] = passes(lambda name: name.rpartition("/")[2] in _OF_A_SEARCH)
+        found[SEARCH] = passes(lambda name: name.rpartition("/")[2].startswith(_OF_A_SEARCH))
         frame += 1
         renderer.camera = _camera(scene, frame)
         found[CAMERA] = seconds_of(renderer.render)
