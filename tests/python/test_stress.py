@@ -4,7 +4,7 @@ import json
 import math
 import pathlib
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import pyopacity as po
+from pyopacity.cli import main
 from pyopacity.cli import stress as command
 from pyopacity.comparison import available_device
 from pyopacity.stress import (
@@ -186,7 +187,7 @@ def test_every_way_to_deposit_is_asked() -> None:
 
 
 @settings(
-    max_examples=10,
+    max_examples=6,
     derandomize=True,
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture],
@@ -213,8 +214,6 @@ def test_a_seed_draws_the_same_again() -> None:
 
 
 def test_the_command_tells_each_verdict(capsys: pytest.CaptureFixture[str]) -> None:
-    from pyopacity.cli import main
-
     assert main(["stress", "--only", "split*", "--only", "thin_*", "--device", "cpu"]) == 0
     told = capsys.readouterr().out
     assert re.search(r"^\d+ hold, \d+ named exceptions, 0 fail$", told, re.MULTILINE)
@@ -227,8 +226,6 @@ def test_the_command_tells_each_verdict(capsys: pytest.CaptureFixture[str]) -> N
 def test_a_failure_is_the_exit_code(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from pyopacity.cli import main
-
     def find(bench: Bench) -> Iterator[Finding]:
         """A wrong answer."""
         yield Finding(None, 2.0, "2")
@@ -239,7 +236,14 @@ def test_a_failure_is_the_exit_code(
     assert "FAILS" in capsys.readouterr().out
 
 
-def test_bad_options_are_refused(python: Callable[..., Any]) -> None:
-    for bad in (["--only", "nothing"], ["--device", "tpu"], ["--seed", "-1"], ["--long", "-1"]):
-        result = python("-m", "pyopacity", "stress", *bad)
-        assert result.returncode == 2 and "fix:" in result.stderr
+@pytest.mark.parametrize(
+    "bad", [("--only", "nothing"), ("--device", "tpu"), ("--seed", "-1"), ("--long", "-1")]
+)
+def test_bad_options_are_refused(bad: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["stress", *bad]) == 2
+    assert "fix:" in capsys.readouterr().err
+
+
+def test_a_random_case_is_told_with_its_seed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["stress", "--long", "0", "--seed", "3", "--device", "cpu"]) == 0
+    assert "1 random cases from seed 3, 0 fail" in capsys.readouterr().out
