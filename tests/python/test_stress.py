@@ -4,7 +4,7 @@ import json
 import math
 import pathlib
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -57,6 +57,8 @@ ROWS = {
     "Beer-Lambert",
     "metamorphic",
     "monotone",
+    "oracle",
+    "devices",
     "determinism",
     "skip",
 }
@@ -247,3 +249,18 @@ def test_bad_options_are_refused(bad: tuple[str, str], capsys: pytest.CaptureFix
 def test_a_random_case_is_told_with_its_seed(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["stress", "--long", "0", "--seed", "3", "--device", "cpu"]) == 0
     assert "1 random cases from seed 3, 0 fail" in capsys.readouterr().out
+
+
+# Without casters a map is a single part of work, which needs no threads.
+THREADS = """
+import numpy as np, pyopacity as po
+strands = po.Strands(np.eye(3), np.array([0, 3]), width=0.5)
+po.transmittance(po.Scene(strands, po.DirectionalLight()), strands)
+"""
+
+
+def test_a_number_of_threads_that_is_none_is_told(python: Callable[..., Any]) -> None:
+    for wrong in ("0", "-1", "two", "1.5", "2000"):
+        result = python("-c", THREADS, OPACITY_THREADS=wrong)
+        assert f"ParameterError: OPACITY_THREADS={wrong} is no number of threads" in result.stderr
+    assert python("-c", THREADS, OPACITY_THREADS="3").returncode == 0

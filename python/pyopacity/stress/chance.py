@@ -17,14 +17,14 @@ from pyopacity.errors import ParameterError
 from pyopacity.light import DirectionalLight, Light, PointLight, SpotLight
 from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Shape, Strands
-from pyopacity.stress import oracle
 from pyopacity.stress.bench import Bench
+from pyopacity.stress.devices import OF_ORACLE, apart_from_oracle
 from pyopacity.stress.exceptions import exception_of
 from pyopacity.stress.order import OF_TEXELS, hardly_rises
 from pyopacity.stress.relations import permuted, permuted_shape
-from pyopacity.stress.shapes import random_shapes, tangle
+from pyopacity.stress.shapes import random_shapes
 from pyopacity.stress.skips import differences
-from pyopacity.stress.way import ALL, Device, Way, exact
+from pyopacity.stress.way import ALL, Device, Way
 from pyopacity.technique import technique
 
 F64 = npt.NDArray[np.float64]
@@ -32,7 +32,6 @@ MAP_SIZES = (1, 2, 3, 4, 5, 16, 33, 64, 100)
 # Where a triangle's edge passes through a texel's middle, one device may cover it.
 EDGES = 0.01
 OF_DEVICES = 1e-3
-OF_ORACLE = 1e-4
 # Parameters that a relation below is not about: what other frames, another camera, or a fit of the
 # same points would change.
 _LEFT_ALONE = {"bias", "search_frames", "refine", "splits", "memory"}
@@ -196,23 +195,8 @@ def on_both(bench: Bench, of: Draw, ways: list[Way]) -> list[str]:
 
 
 def by_oracle(bench: Bench, of: Draw, device: Device) -> list[str]:
-    """The exact lists of strands under a directional light are those of a float64 brute force."""
-    random = np.random.default_rng(of.seed)
-    points, offsets = tangle(of.seed, 8)
-    width = random.uniform(0.02, 2.0, len(points)).astype(np.float32).astype(float)
-    opacity = random.uniform(0.0, 1.0, len(points)).astype(np.float32).astype(float)
-    direction = tuple(float(v) for v in random.normal(size=3))
-    scene = Scene(Strands(points, offsets, width, opacity), DirectionalLight(direction))
-    size = int(random.choice([8, 16, 40]))
-    bias = float(random.uniform(0.0, 0.5))
-    way = exact(device)
-    T = bench.T(way, scene, points, size, bias=bias, own_correction=False)
-    matrix = bench.renderer(way, scene, size, bias=bias).light_from_world
-    lists = oracle.deposit(points, offsets, width, opacity, matrix, size)
-    places = oracle.light_points(matrix, points)
-    right = oracle.transmittance(lists, places, bias / oracle.depth_range(matrix))
-    # A fragment on a receiver's biased depth may count or not.
-    apart = np.mean(np.abs(T - right) > OF_ORACLE)
+    """The exact lists of strands are those of a float64 brute force."""
+    apart = np.mean(apart_from_oracle(bench, of.seed, device) > OF_ORACLE)
     return [f"{apart:.2%} of T are not the oracle's"] if apart > EDGES else []
 
 

@@ -10,6 +10,7 @@ from typing import Literal
 from pyopacity.errors import Error, ParameterError
 from pyopacity.stress import (
     clouds,
+    devices,
     digests,
     footprints,
     formulas,
@@ -41,6 +42,7 @@ _FAMILIES = (
     clouds,
     relations,
     order,
+    devices,
     digests,
     skips,
 )
