@@ -54,6 +54,7 @@ _BEHIND_FIRST = "the extent of its layers is that of the map's casters, not of t
 _SERIES = "7 coefficients tell no depths apart that are nearer than a seventh of the map's"
 _MOMENTS = "4 moments are exact of two casters"
 _ROUNDING = "moments multiply what float32 rounds, most where a texel holds everything"
+_OWN_PART = "beside a strand nearly opaque, what is left without its own part is rounding"
 _PLANES = "bounds that are rounded anew move planes, and a caster in a layer of its own is a step"
 _STEEP = "seen where strands run along the light; why is not understood"
 _HALF_FLOAT = "sums of 11 bits"
@@ -101,6 +102,7 @@ EXCEPTIONS: tuple[NamedException, ...] = (
     NamedException("permuted", (MOMENTS,), 0.03, _ROUNDING),
     NamedException("scaled", (BOM, AOM, AUTO), 1e-4, _PLANES),
     NamedException("scaled", (MOMENTS,), 1e-3, _ROUNDING),
+    NamedException("both_devices", (MOMENTS,), 0.05, _OWN_PART, only_on="gpu"),
     NamedException("never_rises", (FOM,), 0.15, "a series rings"),
     NamedException("never_rises", (MOMENTS,), 2e-6, _ROUNDING, only_on="gpu"),
     NamedException("hardly_rises", (FOM,), 0.25, "a series rings"),
