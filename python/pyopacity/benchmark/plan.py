@@ -74,7 +74,7 @@ class Plan:
     hair: str = "demo:hair?segments=150000"
     changes: Mapping[str, Any] = field(default_factory=dict)
     map_sizes: tuple[int, ...] = (256, 512, 1024)
-    layers: tuple[int, ...] = (8, 16, 32)
+    layers: tuple[int, ...] = (4, 8, 16, 32)
     judged_px: int = 512
     receivers: int = 4000
     rays: int = 64

@@ -26,7 +26,8 @@ from pyopacity.comparison.truth import FOOTPRINT_TEXELS, box_width, texel_side
 from pyopacity.errors import OutOfMemoryError
 from pyopacity.renderer import Renderer
 
-ENGINE, PAPERS, PUBLISHED = "engine", "paper, our deposit", "paper, as published"
+ENGINE, FIXED_SPLIT = "engine", "engine, fixed split"
+PAPERS, PUBLISHED = "paper, our deposit", "paper, as published"
 _SEED = 0
 _ANY_POINT = np.zeros((1, 3))
 _NOTE = """T at all points of the scene's shapes, everything anew: seconds, and those of the maps
@@ -56,7 +57,7 @@ def measure(run: Run) -> Iterator[Table]:
 
 
 def rows_of(run: Run, name: str) -> list[Row]:
-    """Of one scene; of the goals' scene also the papers' techniques as they were."""
+    """Of one scene; of the goals' also a split without a search, and the papers' techniques."""
     scene, plan = run.scene(name), run.plan
     receivers = sample_receivers(scene, plan.receivers, _SEED)
     camera = Camera.fit(scene)
@@ -85,6 +86,10 @@ def _settings(run: Run, name: str, width: float) -> list[_Setting]:
     if name != plan.hair:
         return settings
     for layers in plan.layers:
+        fixed = Variant(
+            ways.BOUNDING, {"layers": layers, **ways.FIXED_SPLIT, "filter_width": width}
+        )
+        settings.append(_Setting(FIXED_SPLIT, _label(fixed), fixed))
         for who, variants in (
             (PAPERS, ways.papers(layers, filter_width=width)),
             (PUBLISHED, ways.published(layers)),

@@ -10,7 +10,7 @@ from pyopacity.benchmark import time_against_error, ways
 from pyopacity.benchmark.goals.goal import Goal
 from pyopacity.benchmark.run import Run
 from pyopacity.benchmark.table import Row
-from pyopacity.benchmark.time_against_error import ENGINE, PAPERS, PUBLISHED
+from pyopacity.benchmark.time_against_error import ENGINE, FIXED_SPLIT, PAPERS, PUBLISHED
 from pyopacity.comparison import DepthReference, Receivers, Variant, sample_receivers
 from pyopacity.renderer import Renderer
 
@@ -33,7 +33,8 @@ def total(run: Run) -> Iterator[Row]:
     ours = [
         row
         for row in measured
-        if row["of"] == ENGINE and str(row["technique"]).partition(",")[0] in ways.OURS
+        if row["of"] in (ENGINE, FIXED_SPLIT)
+        and str(row["technique"]).partition(",")[0] in ways.OURS
     ]
     papers = [row for row in measured if row["of"] == PAPERS]
     published = [row for row in measured if row["of"] == PUBLISHED]
