@@ -94,7 +94,7 @@ class Plan:
 
 FULL = Plan()
 
-# About two minutes on two cores and OpenGL in software.
+# Sized for two minutes on two quiet cores and OpenGL in software.
 QUICK = Plan(
     scenes=("demo:hair?segments=5000", "demo:tree?leaves=1500", "demo:plume?particles=1000"),
     hair="demo:hair?segments=5000",

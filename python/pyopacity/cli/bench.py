@@ -21,7 +21,7 @@ def add_to(commands: Any) -> None:
         help=f"{text.FILES}; each a scene of its own, in the place of the generated ones",
     )
     measure_options.add_output(add, "index.html, results.json, a .csv for each table, plots")
-    add("--quick", action="store_true", help="small scenes: two minutes instead of hours")
+    add("--quick", action="store_true", help="small scenes: minutes instead of hours")
     add(
         "--only",
         metavar="NAME,...",
