@@ -206,12 +206,13 @@ def light_at_a_vertex(bench: Bench) -> Iterator[Finding]:
         hair(),
     ]
     asked = bench.random(5).uniform(-1.5, 1.5, (200, 3))
-    for place in ((0.0, 0.0, 0.0), (1e-9, 0.0, 0.0), (0.5, -0.2, 0.1)):
-        points = np.concatenate([asked, [place]])
-        for chosen in (casters[:1], casters):
-            scene = Scene(chosen, PointLight(place))
-            for way in bench.ways(ALL):
-                T = bench.T(way, scene, points, 32)
+    for chosen in (casters[:1], casters):
+        light = PointLight((0.0, 0.0, 0.0))
+        scene = Scene(chosen, light)
+        for way in bench.ways(ALL):
+            for place in ((0.0, 0.0, 0.0), (1e-9, 0.0, 0.0), (0.5, -0.2, 0.1)):
+                light.position = place
+                T = bench.T(way, scene, np.concatenate([asked, [place]]), 32)
                 is_bad = not (np.isfinite(T).all() and T.min() >= 0.0 and T.max() <= 1.0)
                 problems = [f"light at {place}: {T.min()} .. {T.max()}"] * is_bad
                 problems += [f"T {T[-1]} at the light, {place}"] * bool(T[-1] != 1.0)
