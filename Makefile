@@ -30,7 +30,7 @@ demo: setup
 
 test: setup
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error
-	$(VENV)/bin/python -m pytest
+	$(VENV)/bin/python -m pytest -n $(CTEST_PARALLEL_LEVEL)
 
 setup: $(BUILD)/.installed
 
