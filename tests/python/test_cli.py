@@ -222,7 +222,7 @@ def test_the_report_as_a_table_and_as_json(run: Run, tmp_path: pathlib.Path) -> 
     result = render(run, tmp_path / "a.png", "--print-report", "--report", str(report))
     assert "lighting" in result.stdout and " ran " in result.stdout
     passes = json.loads(report.read_text())["passes"]
-    assert {"name", "status", "why", "ms", "note"} == set(passes[0])
+    assert {"name", "status", "why", "ms", "calls", "note"} == set(passes[0])
     assert "lighting" in render(run, tmp_path / "a.png", "--report", "-").stdout
 
     document = json.loads(render(run, tmp_path / "a.png", "--json").stdout)

@@ -78,7 +78,7 @@ def test_intervals_are_integrated(
             ).astype(int)
             found = r.read(f"{MOM}/coefficients")[:, y, x].ravel()[: moments + 1]
             steps = (np.arange(20000) + 0.5) / 20000
-            z = 2 * depths(r, bottom + length * steps) - 1
+            z = 2 * depths(r.light_from_world, bottom + length * steps) - 1
         expected = [0.8 * np.mean(z**k) for k in range(moments + 1)]
         assert found == pytest.approx(expected, abs=2e-4)
 

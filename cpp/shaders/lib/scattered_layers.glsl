@@ -86,10 +86,11 @@ uvec4 bits_of(FixedPoint sum) {
     return uvec4(floatBitsToUint(value));
 }
 
-// No caster has come into it, so that all of its planes are 0 as they were filled.
+// No caster has come into it, so that its bounds and all of its planes are as they were filled. Mirrored
+// bounds of a single caster may end before they start, by rounding.
 bool is_empty(TexelLayers layers) {
 #ifdef ENDS_AT_LAST_CASTER
-    return layers.end < layers.start;
+    return layers.start == 1.0 && layers.end == 0.0;
 #else
     return false;
 #endif

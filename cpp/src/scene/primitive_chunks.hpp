@@ -14,7 +14,7 @@
 namespace opacity {
 
 struct PrimitiveChunks {
-    static constexpr std::size_t size = 2048;  // primitives; the last one may have fewer
+    static constexpr std::size_t size = 512;  // primitives; the last one may have fewer
 
     // Primitives by number, one chunk after the other: along a curve of Morton (1966) through the
     // middles that they had when the shape was first cut. Kept while points move, since neighbours
