@@ -135,7 +135,7 @@ def test_the_registry_names_every_technique_once() -> None:
     assert [name for name, _ in registered] == list(po.techniques())
     shared = {"registry", "technique", "layered", "drawn_layers", "layers_on_cpu", "histogram"}
     shared |= {"split_search", "local_splits", "smoothing", "packed_lists", "fragment_lists"}
-    shared |= {"depth_bounds", "own_corrected", "clusters_on_cpu", "texel_spans"}
+    shared |= {"depth_bounds", "own_corrected", "clusters_on_cpu", "texel_spans", "sampled_texels"}
     shared |= {"coefficient_maps", "coefficients_on_cpu", "prefilter"}
     shared |= {"bounded_layers", "transmittance_planes"}
     shared |= {"scatter", "scattered_layers", "caster_sizes"}
