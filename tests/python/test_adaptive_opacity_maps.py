@@ -8,12 +8,29 @@ import pytest
 
 import pyopacity as po
 from layer_errors import LIGHT, Errors, hair, rmse
-from test_auto import two_clusters
 
 MAPS = "adaptive_opacity_maps"
 DEVICES = ["cpu", pytest.param("gpu", marks=pytest.mark.gl)]
 DOWN = po.DirectionalLight((0.0, 0.0, -1.0))
 EVEN_PART = 0.25  # of the planes, of strands and surfaces
+
+
+def two_clusters() -> po.Scene:
+    """Two dense clouds of threads with a lone thread far behind, which stretches every bound."""
+    random = np.random.default_rng(3)
+    roots = (
+        random.normal(0.0, 0.5, (1500, 1, 3))
+        + np.array([0, 0, 4.0]) * (np.arange(1500) % 2)[:, None, None]
+    )
+    points = roots + np.linspace(-1, 1, 4)[:, None] * random.normal(0, 0.3, (1500, 1, 3))
+    far = np.array([[[-1, 0, -30], [-0.3, 0, -30], [0.3, 0, -30], [1, 0, -30]]], float)
+    every = np.concatenate([points, far]).reshape(-1, 3)
+    offsets = np.arange(1502) * 4
+    return po.Scene(
+        po.Strands(every, offsets, width=0.05, opacity=0.4), po.DirectionalLight((0, 0, -1))
+    )
+
+
 Array = npt.NDArray[np.float64]
 
 
