@@ -29,11 +29,11 @@ struct GpuShape {
     double3 origin{};  // what was subtracted from the points, in float64
     // Points: xyz and a strand's width or a particle's radius.
     GpuBuffer points, segments, indices, normals, uvs, opacity, color;
-    GpuBuffer order;                         // PrimitiveChunks::order
-    GpuBuffer strand_ranks;                  // of each segment, where a map holds fewer strands
-    GpuBuffer slabs;                         // of a volume: map/volume_slabs.hpp
-    GpuTexture alpha, color_map;             // of a mesh, with levels; coverage in place of alpha
-    GpuTexture extinction;                   // of a volume, x first
+    GpuBuffer order;              // PrimitiveChunks::order
+    GpuBuffer strand_ranks;       // of each segment, where a map holds fewer strands
+    GpuBuffer slabs;              // of a volume: map/volume_slabs.hpp
+    GpuTexture alpha, color_map;  // of a mesh, with levels; coverage in place of alpha
+    GpuTexture extinction;        // of a volume, x first
     // STRANDS, MESH, PARTICLES or VOLUME; of a mesh OPAQUE, ALPHA_MAP, COLOR_MAP; RECEIVES;
     // DEPOSITS where the opacity maps hold what own_correction takes out. Told as defines, so that
     // what a shape does not need is not in its programs.
