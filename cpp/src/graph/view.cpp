@@ -13,14 +13,14 @@ std::vector<Box> boxes_of(const Shape& shape) {
     return boxes;
 }
 
-void append(ChunkRanges& ranges, std::size_t chunk) {
+}  // namespace
+
+void append_chunk(ChunkRanges& ranges, std::size_t chunk) {
     if (ranges.empty() || ranges.back().end != chunk)
         ranges.push_back({chunk, chunk + 1});
     else
         ++ranges.back().end;
 }
-
-}  // namespace
 
 void View::cull(const std::vector<ShapePtr>& shapes, const IsOut& is_out) {
     std::erase_if(seen_, [](const auto& entry) { return entry.second.shape.expired(); });
@@ -37,7 +37,7 @@ void View::cull(const std::vector<ShapePtr>& shapes, const IsOut& is_out) {
             if (is_out(box.transformed(shape->transform()), reach))
                 ++seen.count.hidden;
             else
-                append(seen.ranges, seen.count.all);
+                append_chunk(seen.ranges, seen.count.all);
             ++seen.count.all;
         }
     }

@@ -5,6 +5,7 @@
 #include "gl/check.hpp"
 #include "gl/glsl_namespace.hpp"
 #include "opacity/core/error.hpp"
+#include "render/drawing_order.hpp"
 #include "render/feed_shape.hpp"
 #include "render/program_feeder.hpp"
 #include "techniques/registry.hpp"
@@ -209,6 +210,7 @@ gl::Program& GlDevice::program(const Shader& shader, const Defines& shape_define
     if (!shader.compute.empty()) stages.push_back({GL_COMPUTE_SHADER, shader.compute});
     Defines defines = shader.defines;
     defines.insert(defines.end(), shape_defines.begin(), shape_defines.end());
+    if (context_->is_software()) defines.emplace_back("SOFTWARE", "1");
     gl::Aliases aliases;
     if (!shader.technique.empty()) aliases["technique.glsl"] = shader.technique;
     const bool has_camera = !shader.camera_technique.empty();
@@ -225,11 +227,9 @@ void GlDevice::draw(const Pass& pass, const Uniforms& extra, const ShapeFilter& 
     bind_targets(pass);
     set_state(pass);
     gl().BindVertexArray(vertex_array_.name());
-    int index = 0;
-    for (const ShapePtr& shape : pass.draws->shapes()) {
-        if (!wanted || wanted(*shape)) draw_shape(pass, shape, index, extra);
-        ++index;
-    }
+    const std::vector<ShapePtr>& shapes = pass.draws->shapes();
+    for (const std::size_t index : drawing_order(pass))
+        if (!wanted || wanted(*shapes[index])) draw_shape(pass, shapes[index], int(index), extra);
     gl().MemoryBarrier(GL_ALL_BARRIER_BITS);
     resolve(pass);
     gl::check_errors(*context_, "drawing pass " + pass.name);
@@ -262,12 +262,28 @@ void GlDevice::draw_shape(const Pass& pass, const ShapePtr& shape, int index,
     feed(shader, pass, gpu, index, indices, extra);
     gl().UseProgram(shader.name());
     gl().VertexArrayElementBuffer(vertex_array_.name(), indices.buffer);
-    const int instances = std::max(1, pass.view->faces());
-    for (const IndexRange& range : indices.ranges) {
-        gl().DrawElementsInstanced(GL_TRIANGLES, GLsizei(range.count), GL_UNSIGNED_INT,
-                                   index_offset(range.first), instances);
-        ++calls_;
+    draw_ranges(indices.ranges, pass.view->faces());
+}
+
+// All of them in one call, unless each is drawn once for every face.
+void GlDevice::draw_ranges(const std::vector<IndexRange>& ranges, int faces) {
+    if (ranges.empty()) return;
+    if (faces > 1) {
+        for (const IndexRange& range : ranges)
+            gl().DrawElementsInstanced(GL_TRIANGLES, GLsizei(range.count), GL_UNSIGNED_INT,
+                                       index_offset(range.first), faces);
+        calls_ += ranges.size();
+        return;
     }
+    std::vector<GLsizei> counts;
+    std::vector<const void*> firsts;
+    for (const IndexRange& range : ranges) {
+        counts.push_back(GLsizei(range.count));
+        firsts.push_back(index_offset(range.first));
+    }
+    gl().MultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, firsts.data(),
+                           GLsizei(ranges.size()));
+    ++calls_;
 }
 
 void GlDevice::dispatch(const Pass& pass, std::array<int, 3> groups, const Uniforms& extra) {

@@ -65,6 +65,7 @@ class GlDevice : public Device {
               const Indices& indices, const Uniforms& extra);
     // `index` in the pass's list.
     void draw_shape(const Pass& pass, const ShapePtr& shape, int index, const Uniforms& extra);
+    void draw_ranges(const std::vector<IndexRange>& ranges, int faces);
     void dispatch_shape(const Pass& pass, const Shader& computing, const ShapePtr& shape,
                         int index);
     void resolve(const Pass& pass);

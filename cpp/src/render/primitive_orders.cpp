@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "opacity/scene/strands.hpp"
+#include "render/drawing_order.hpp"
 #include "render/primitive_indices.hpp"
 #include "scene/primitive_chunks.hpp"
 #include "scene/strand_ranks.hpp"
@@ -90,7 +91,9 @@ Indices PrimitiveOrders::indices(const Pass& pass, const ShapePtr& shape, const 
         return {stored, 0, {{0, is_hidden ? 0 : std::size_t(gpu.index_count)}}};
     }
     const auto chunks = shape->chunks();
-    const ChunkRanges seen = told ? *told : ChunkRanges{{0, chunks->count()}};
+    ChunkRanges seen = told ? *told : ChunkRanges{{0, chunks->count()}};
+    if (keeps_nearest(pass))
+        seen = front_to_back(*chunks, seen, product(pass.view->from_world(), shape->transform()));
     const Selection& selection = pass.state.selection;
     const bool has_strands = dynamic_cast<const Strands*>(shape.get()) != nullptr;
     const double detail = has_strands && !pass.draws_unseen ? pass.view->strand_detail() : 1.0;

@@ -41,6 +41,8 @@ struct ChunkRange {
     bool operator==(const ChunkRange&) const = default;
 };
 using ChunkRanges = std::vector<ChunkRange>;
+// The last range grows by a chunk that follows it.
+void append_chunk(ChunkRanges& ranges, std::size_t chunk);
 
 // Besides its uniforms, every draw gets mat4 u_<name>_from_local, by its name in GLSL.
 class View : public UniformSet {
