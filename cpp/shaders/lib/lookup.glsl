@@ -88,18 +88,30 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     taps.optical_depth += weight * optical_depth;
 }
 
-Taps filtered_taps(Receiver receiver, float depth) {
+// None where they are not wanted.
+Taps filtered_taps(Receiver receiver, float depth, bool are_wanted) {
     Taps taps = Taps(0.0, 0.0, 0.0, 0.0);
     vec2 p = receiver.p_ls.xy;
 #if defined(FILTER_bilinear)
-    // A box of one texel, unrolled: most look-ups are this.
+    // A box of one texel: most look-ups are this. Software goes through a branch that no lane takes, but
+    // leaves a loop in which none is left; a GPU waits for one tap after the other where it cannot
+    // unroll.
+#ifdef SOFTWARE
+    int count = are_wanted ? 4 : 0;
+#else
+    if (!are_wanted) return taps;
+    const int count = 4;
+#endif
     ivec2 first = ivec2(floor(p - 0.5));
     vec2 above = p - 0.5 - vec2(first), below = 1.0 - above;
-    add_tap(taps, receiver, first, depth, below.x * below.y);
-    add_tap(taps, receiver, first + ivec2(1, 0), depth, above.x * below.y);
-    add_tap(taps, receiver, first + ivec2(0, 1), depth, below.x * above.y);
-    add_tap(taps, receiver, first + ivec2(1, 1), depth, above.x * above.y);
-#elif defined(FILTER_none)
+    for (int i = 0; i < count; ++i) {
+        bool is_right = i % 2 == 1, is_lower = i >= 2;
+        float weight = (is_right ? above.x : below.x) * (is_lower ? above.y : below.y);
+        add_tap(taps, receiver, first + ivec2(is_right, is_lower), depth, weight);
+    }
+#else
+    if (!are_wanted) return taps;
+#if defined(FILTER_none)
     add_tap(taps, receiver, ivec2(floor(p)), depth, 1.0);
 #elif defined(FILTER_pcf)
     // 4 x 4 points (Bunnell and Pellacini 2004; thesis, section 3.5): at a radius of two texels they
@@ -118,6 +130,7 @@ Taps filtered_taps(Receiver receiver, float depth) {
             add_tap(taps, receiver, ivec2(x, y), depth, weight_y * filter_weight(float(x) - p.x, radius));
     }
 #endif
+#endif
     return taps;
 }
 
@@ -129,8 +142,8 @@ float face_transmittance(Receiver receiver) {
     float reach = largest_filter_radius + 1.0;
     precise bool is_near = depth > 0.0 && all(greaterThan(receiver.p_ls.xy, vec2(-reach))) &&
                            all(lessThan(receiver.p_ls.xy, vec2(float(u_light_map_size_px) + reach)));
+    Taps taps = filtered_taps(receiver, depth, is_near);
     if (!is_near) return counts_at(depth) ? 1.0 : 0.0;
-    Taps taps = filtered_taps(receiver, depth);
 #ifdef DENSITY_FILTER
     // The density interpretation (Jansen and Bavoil 2010, section 6), of what no opaque caster hides.
     if (!(taps.lit > 0.0)) return 0.0;
