@@ -163,7 +163,7 @@ def test_nothing_else_names_a_technique_that_is_not_the_default() -> None:
     own |= {"python/pyopacity/benchmark/ways.py"}  # the papers' as published, and ours
     own |= {"python/pyopacity/stress/exceptions.py"}  # what cannot hold by a technique's nature
     # "exact" is a way of compositing, too.
-    own |= {"cpp/include/opacity/render_settings.hpp", "cpp/src/render/picture.cpp"}
+    own |= {"cpp/include/opacity/render_settings.hpp", "cpp/src/render/scene_lists.cpp"}
     code = [*SOURCES, *files("python", suffixes=".py .pyi")]
     naming = [
         relative(path)

@@ -30,20 +30,22 @@ struct RenderSettings : ParamOwner {
                         "Parts of shapes that a camera or a light cannot see are not drawn; off: "
                         "all of each shape that is in view, for the same result."};
     Param<int> antialiasing{*this, "antialiasing", 2, {1, 8}, "n x n samples a pixel, averaged."};
-    Choice compositing{*this,
-                       "compositing",
-                       {"auto", "opaque", "subsets", "sorted", "exact", "maps"},
-                       "How what is translucent covers what lies behind it: opaque, as in the "
-                       "papers; subsets: the mean of three, each of a third of the strands; sorted "
-                       "by shape and primitive; exact: sorted lists; maps: without an order, by "
-                       "maps of the camera's own; auto: maps where anything is translucent."};
+    Choice compositing{
+        *this,
+        "compositing",
+        {"auto", "opaque", "subsets", "sorted", "exact", "maps"},
+        "How what is translucent covers what lies behind it: opaque, as in the "
+        "papers; subsets: the mean of three, each of a third of the strands; sorted "
+        "by shape and primitive; exact: sorted lists; maps: without an order, by "
+        "maps of the camera's own; auto: sorted where strands, particles or a volume "
+        "alone are translucent, else maps."};
     Choice strand_look_up{
         *this,
         "strand_look_up",
         {"auto", "per_sample", "along_strands"},
         "Where T of strands is looked up: at each sample of the picture; or along "
         "the strands, every third texel of the light's map, and again only when "
-        "light or casters move; auto: along them where that is less."};
+        "light or casters move; auto: along them where that is not much more."};
     Param<double> ambient{*this,
                           "ambient",
                           0.12,

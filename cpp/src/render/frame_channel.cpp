@@ -25,8 +25,9 @@ void FrameChannel::fit_lights(const FrameInputs& inputs, const Box& query, std::
 void FrameChannel::declare(FrameGraph& graph, Device& device, const FrameInputs& inputs,
                            const Box& query, std::size_t asked) {
     // Without shaders there are no pictures, and no use for more than one pass of them.
-    const Compositing compositing =
-        device.runs_shaders() ? compositing_of(inputs.settings.compositing) : Compositing::opaque;
+    const Compositing compositing = device.runs_shaders()
+                                        ? compositing_of(inputs.settings.compositing, inputs.scene)
+                                        : Compositing::opaque;
     lists_.update_casters(inputs.scene);
     lists_.update_seen(inputs.scene, compositing, view_of(inputs.camera, inputs.settings));
     fit_lights(inputs, query, asked);

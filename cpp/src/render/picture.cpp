@@ -35,13 +35,6 @@ Pass before_solids(Pass pass, const Texture& solid_depth) {
 
 }  // namespace
 
-Compositing compositing_of(const Choice& setting) {
-    if (setting.is("opaque")) return Compositing::opaque;
-    if (setting.is("subsets")) return Compositing::subsets;
-    if (setting.is("sorted")) return Compositing::sorted;
-    return setting.is("exact") ? Compositing::exact : Compositing::maps;
-}
-
 const Resource& Picture::add(FrameGraph& graph, const PictureInputs& inputs) {
     shading_.add(graph, inputs);
     const SceneLists& lists = inputs.lists;

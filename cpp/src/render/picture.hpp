@@ -8,9 +8,6 @@
 
 namespace opacity::render {
 
-// What a setting means; auto: maps, which cost nothing where there is nothing to see through.
-Compositing compositing_of(const Choice& setting);
-
 class Picture {
    public:
     // Declares the passes. With one light and nothing to see through it is a single one; else what

@@ -20,6 +20,20 @@ bool looks_solid(const Shape& shape) {
            (dynamic_cast<const Strands*>(&shape) != nullptr && shape.min_opacity() >= 1.f);
 }
 
+bool covers_nothing(const Shape& shape) {
+    return shape.invisible_to_light() || shape.points().size() == 0;
+}
+
+bool orders_itself(const Scene& scene) {
+    int translucent = 0;
+    for (const ShapePtr& shape : scene.shapes()) {
+        const auto lock = shape->lock();
+        if (looks_solid(*shape) || covers_nothing(*shape)) continue;
+        if (++translucent > 1 || dynamic_cast<const Mesh*>(shape.get())) return false;
+    }
+    return true;
+}
+
 void sort_by_distance(std::vector<ShapePtr>& shapes, const double3& eye) {
     std::vector<std::pair<double, ShapePtr>> far;
     for (const ShapePtr& shape : shapes) {
@@ -34,6 +48,14 @@ void sort_by_distance(std::vector<ShapePtr>& shapes, const double3& eye) {
 }
 
 }  // namespace
+
+Compositing compositing_of(const Choice& setting, const Scene& scene) {
+    if (setting.is("opaque")) return Compositing::opaque;
+    if (setting.is("subsets")) return Compositing::subsets;
+    if (setting.is("exact")) return Compositing::exact;
+    const bool sorts = setting.is("sorted") || (setting.is("auto") && orders_itself(scene));
+    return sorts ? Compositing::sorted : Compositing::maps;
+}
 
 void SceneLists::update_casters(const Scene& scene) {
     std::vector<ShapePtr> translucent_casters, opaque_casters;
@@ -61,8 +83,8 @@ void SceneLists::update_seen(const Scene& scene, Compositing compositing, const 
             solids.push_back(shape);
         else if (looks_solid(*shape))
             solids.push_back(shape);
-        else if (shape->invisible_to_light() || shape->points().size() == 0)
-            continue;  // it covers nothing
+        else if (covers_nothing(*shape))
+            continue;
         else if (compositing == Compositing::subsets && !medium)
             in_parts.push_back(shape);
         else

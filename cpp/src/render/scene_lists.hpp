@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "opacity/core/param.hpp"
 #include "opacity/graph/draw_list.hpp"
 #include "opacity/scene/scene.hpp"
 #include "scene/view_frustum.hpp"
@@ -11,6 +12,10 @@ namespace opacity::render {
 
 // How the camera sees what is translucent: the words of RenderSettings::compositing, but auto.
 enum class Compositing { opaque, subsets, sorted, exact, maps };
+
+// What the setting means for a scene; auto: sorted where one shape alone is translucent, and no
+// mesh, whose triangles may be large and cross; else maps, which need no order.
+Compositing compositing_of(const Choice& setting, const Scene& scene);
 
 struct SceneLists {
     // What a light sees.
