@@ -8,7 +8,10 @@
 uniform mat4 u_light_from_local;
 uniform float u_width_scale;
 uniform float u_receiver_width;  // world units
-uniform int u_quad_count, u_shape_index;
+uniform int u_shape_index;
+// A range of the segments, neighbours in space one after the other: they read the same texels.
+uniform int u_quad_first, u_quad_count;
+layout(std430) readonly buffer b_casters { uint casters[]; };
 
 #ifdef OWN_CORRECTION
 #include "lib/light.glsl"
@@ -18,20 +21,21 @@ uniform int u_quad_count, u_shape_index;
 #endif
 
 // Of each shape: its first place, and the steps from one end of a segment to the other.
-layout(std430) readonly buffer b_strand_places { ivec2 strand_places[]; };
+layout(std430) readonly buffer b_places { ivec2 places[]; };
 layout(std430) writeonly buffer b_strand_transmittance { float strand_transmittance[]; };
 
 void main() {
-    int segment = int(invocation_index());
-    if (segment >= u_quad_count) return;
+    int quad = int(invocation_index());
+    if (quad >= u_quad_count) return;
+    int segment = int(casters[u_quad_first + quad]);
     int root = int(segments[segment]);
     vec3 p_root = (u_light_from_local * vec4(points[root].xyz, 1.0)).xyz;
     vec3 p_tip = (u_light_from_local * vec4(points[root + 1].xyz, 1.0)).xyz;
 #ifdef OWN_CORRECTION
     StrandEnd at_root = strand_end(segment, false), at_tip = strand_end(segment, true);
 #endif
-    int steps = strand_places[u_shape_index].y;
-    int first = strand_places[u_shape_index].x + segment * (steps + 1);
+    int steps = places[u_shape_index].y;
+    int first = places[u_shape_index].x + segment * (steps + 1);
     for (int i = 0; i <= steps; ++i) {
         float along = float(i) / float(steps);
         Receiver receiver = point_receiver(mix(p_root, p_tip, along), u_receiver_width);

@@ -66,15 +66,23 @@ def test_passes_and_calls_of_every_technique(scene: po.Scene, small: dict[str, A
 
 
 @pytest.mark.gl
-def test_a_picture_draws_each_shape_once(renderer: po.Renderer) -> None:
+@pytest.mark.parametrize(
+    ("look_up", "along_strands"),
+    [("per_sample", {}), ("along_strands", {"solid/strand_shadows": 1})],
+)
+def test_a_picture_draws_each_shape_once(
+    renderer: po.Renderer, look_up: str, along_strands: dict[str, int]
+) -> None:
     """In each pass that draws it: three shapes, of which two cast, and one of these is solid."""
     renderer.technique.split = "hybrid"
+    renderer.strand_look_up = look_up
     renderer.render()
     by_pass = {row.name: row.calls for row in renderer.report if row.status == "ran"}
     assert by_pass == {
         "opaque_depth": 1,
         f"{MAPS}/bounds": 1,
         f"{MAPS}/opacity": 1,
+        **along_strands,
         "lighting": 3,
     }
 

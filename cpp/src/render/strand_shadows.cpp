@@ -16,9 +16,13 @@ namespace {
 // larger than per sample (docs/accuracy.md).
 constexpr double texels_a_step = 3.0;
 constexpr int most_steps = 64;
+// Up to so many places a sample they are worth it where all moves, or nearly so, and from then on
+// for nothing; strands that are blended show all of their samples (docs/performance.md).
+constexpr double most_places_a_solid_sample = 2.0, most_places_a_blended_sample = 3.0;
 constexpr std::size_t most_places = std::size_t{1} << 25;  // storage buffers may end at 128 MiB
 
 bool has_places(const Shape& shape) {
+    const auto lock = shape.lock();
     return dynamic_cast<const Strands*>(&shape) && shape.receives();
 }
 
@@ -42,6 +46,20 @@ double samples_an_area(const PictureInputs& inputs, double distance) {
     return per_length * per_length;
 }
 
+// Of a list that holds the strands alone, from those of the whole.
+std::vector<int> of_drawn_strands(const DrawList& shapes, const std::vector<int>& of_shapes) {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < shapes.shapes().size(); ++i)
+        if (has_places(*shapes.shapes()[i]))
+            found.insert(found.end(), {of_shapes[2 * i], of_shapes[2 * i + 1]});
+    return found;
+}
+
+void write_places(PassContext& context, Buffer& buffer, const std::vector<int>& places) {
+    context.resize(buffer, places.size() * sizeof(int));
+    context.write(buffer, std::as_bytes(std::span{places}));
+}
+
 }  // namespace
 
 void StrandShadows::begin_frame() {
@@ -58,14 +76,24 @@ double StrandShadows::segment_length(const Strands& strands) {
     return found->second * strands.scale();
 }
 
+// What else is in the list moves none of its passes.
+DrawList& StrandShadows::strands_of(const DrawList& shapes) {
+    std::vector<ShapePtr> strands;
+    for (const ShapePtr& shape : shapes.shapes())
+        if (has_places(*shape)) strands.push_back(shape);
+    DrawList& list = strands_.try_emplace(&shapes, shapes.name() + " along strands").first->second;
+    list.update(std::move(strands));
+    return list;
+}
+
 StrandShadows::Places StrandShadows::places_on(const DrawList& shapes, const LightSpace& space,
                                                const PictureInputs& inputs) {
     Places places;
     for (const ShapePtr& shape : shapes.shapes()) {
-        const auto lock = shape->lock();
         places.of_shapes.insert(places.of_shapes.end(),
                                 {int(std::min(places.count, most_places)), 0});
         if (!has_places(*shape)) continue;
+        const auto lock = shape->lock();
         const auto& strands = dynamic_cast<const Strands&>(*shape);
         const double3 middle = strands.bounds().center();
         const double length = segment_length(strands), count = double(strands.segments().size());
@@ -78,10 +106,12 @@ StrandShadows::Places StrandShadows::places_on(const DrawList& shapes, const Lig
     return places;
 }
 
-bool StrandShadows::is_wanted(const RenderSettings& settings, const Places& places) {
+bool StrandShadows::is_wanted(const RenderSettings& settings, const Places& places,
+                              double most_places_a_sample) {
     if (settings.strand_look_up.is("per_sample") || places.count == 0) return false;
     if (settings.strand_look_up.is("auto"))
-        return places.count <= most_places && double(places.count) <= places.samples;
+        return places.count <= most_places &&
+               double(places.count) <= most_places_a_sample * places.samples;
     if (places.count > most_places)
         throw ParameterError("strand_look_up = along_strands needs " +
                                  std::to_string(places.count) + " places, and a buffer holds " +
@@ -96,34 +126,40 @@ void StrandShadows::add(FrameGraph& graph, const PictureInputs& inputs, const st
     // Nothing to look up, or in maps that move with the camera.
     if (!light.is_shadowed() || !light.space().splits.empty()) return;
     const Places found = places_on(shapes, light.space(), inputs);
-    if (!is_wanted(inputs.settings, found)) return;
+    const bool is_blended = &shapes == &inputs.lists.blended;
+    if (!is_wanted(inputs.settings, found,
+                   is_blended ? most_places_a_blended_sample : most_places_a_solid_sample))
+        return;
     const ShadowLookUp& look_up = light.look_up();
     const FrameGraph::Scope scope{graph, name};
-    auto& of_shapes = graph.value("of_shapes", std::vector<int>{});
+    DrawList& strands = strands_of(shapes);
+    auto &of_strands = graph.value("of_strands", std::vector<int>{}),
+         &of_shapes = graph.value("of_shapes", std::vector<int>{});
+    of_strands.set(of_drawn_strands(shapes, found.of_shapes));
     of_shapes.set(found.of_shapes);
-    Buffer &places = graph.buffer("strand_places"),
+    Buffer &own_places = graph.buffer("places"), &places = graph.buffer("strand_places"),
            &transmittance = graph.buffer("strand_transmittance");
     Pass pass{.name = "strand_shadows",
               .shader = {.compute = "strand_shadows.comp.glsl",
                          .technique = look_up.shader,
                          .defines = look_up.defines},
-              .draws = &shapes,
+              .draws = &strands,
               .view = &light.view(),
               .draws_unseen = true,
               .reads = look_up.reads,
-              .stores = {&places, &transmittance},
-              .execute = [&places, &transmittance, &of_shapes,
+              .stores = {&own_places, &places, &transmittance},
+              .execute = [&own_places, &places, &transmittance, &of_strands, &of_shapes,
                           count = found.count](PassContext& context) {
-                  context.resize(places, of_shapes.get().size() * sizeof(int));
+                  write_places(context, own_places, of_strands.get());
+                  write_places(context, places, of_shapes.get());
                   context.resize(transmittance, count * sizeof(float));
-                  context.write(places, std::as_bytes(std::span{of_shapes.get()}));
-                  context.dispatch_shapes(has_places);
+                  context.dispatch_shapes();
                   context.note(std::to_string(count) + " places");
               }};
-    pass.reads.push_back(&of_shapes);
+    pass.reads.insert(pass.reads.end(), {&of_strands, &of_shapes});
     if (look_up.own_correction) {
         pass.shader.defines.emplace_back("OWN_CORRECTION", "1");
-        pass.reads.push_back(&shapes.opacity);
+        pass.reads.push_back(&strands.opacity);
     }
     graph.add(std::move(pass));
     places_.emplace(std::pair{index, &shapes}, Buffers{places, transmittance});

@@ -33,14 +33,17 @@ class StrandShadows {
         std::size_t count = 0;
         double samples = 0.0;  // of a picture that shows all of them
     };
-    static bool is_wanted(const RenderSettings& settings, const Places& places);
+    static bool is_wanted(const RenderSettings& settings, const Places& places,
+                          double most_places_a_sample);
     Places places_on(const DrawList& shapes, const LightSpace& space, const PictureInputs& inputs);
     double segment_length(const Strands& strands);
+    DrawList& strands_of(const DrawList& shapes);
 
     struct Buffers {
         const Buffer &places, &transmittance;
     };
     std::map<std::pair<std::size_t, const DrawList*>, Buffers> places_;
+    std::map<const DrawList*, DrawList> strands_;  // of each list, what has places
     // Of segments, in the shape's units, by the revision of its geometry: of the frame before, and
     // of this one.
     std::map<Revision, double> known_lengths_, lengths_;
