@@ -153,7 +153,9 @@ TEST_CASE("ribbon coverage is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
     Evaluator evaluator{
-        context, coverage_shader("ribbon_coverage(given3(0), given3(3), given2(6), given2(8), c)")};
+        context,
+        coverage_shader(
+            "ribbon_coverage(major_segment(given3(0), given3(3)), given2(6), given2(8), c)")};
     const Table given = segment_rows(4000), found = evaluator(given);
     check_agreement(given, found, [](const Row& row) {
         const MajorSegment s = segment_of(row);
@@ -167,8 +169,9 @@ TEST_CASE("ribbon coverage is the same in GLSL and C++") {
 TEST_CASE("line coverage is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
-    Evaluator evaluator{context,
-                        coverage_shader("line_coverage(given3(0), given3(3), given2(8), c)")};
+    Evaluator evaluator{
+        context,
+        coverage_shader("line_coverage(major_segment(given3(0), given3(3)), given2(8), c)")};
     const Table given = segment_rows(4000), found = evaluator(given);
     check_agreement(given, found, [](const Row& row) {
         const MajorSegment s = segment_of(row);
@@ -356,7 +359,7 @@ TEST_CASE("a receiver's own deposit is the same in GLSL and C++") {
          "Receiver r = point_receiver(given3(0), 0.0); r.opacity = given(4);\n"
          "r.width_texels = given(3); r.direction = given3(5); r.ends = given2(8);\n"
          "r.on_strand = given(12) == 1.0; r.on_surface = given(12) == 2.0;\n"
-         "OwnDeposit own = own_deposit(r, ivec2(given2(10)));\n"
+         "OwnDeposit own = own_deposit(r, own_segment(r), ivec2(given2(10)));\n"
          "result(0) = own.depth; result(1) = own.depth_end; result(2) = own.optical_depth;"}};
     set_space(evaluator, space);
     Random random;

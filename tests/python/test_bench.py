@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import interrupting
 import pyopacity as po
 import ray_reference
 from pyopacity.benchmark import QUICK, SECTIONS, Plan, Results, Run, Table, goals, measure
@@ -325,25 +326,10 @@ def test_bad_usage_is_one_line_and_leaves_nothing(
     assert list(tmp_path.iterdir()) == []
 
 
-# Sends Ctrl-C as soon as there is a page.
-INTERRUPT = """
-import os, pathlib, signal, sys, threading, time
-from pyopacity.cli import main
-
-def interrupt():
-    while not pathlib.Path(sys.argv[1], "index.html").exists():
-        time.sleep(0.001)
-    os.kill(os.getpid(), signal.SIGINT)
-
-threading.Thread(target=interrupt, daemon=True).start()
-sys.exit(main(sys.argv[2:]))
-"""
-
-
 def test_ctrl_c_keeps_whole_tables_and_no_half_file(python: Shell, tmp_path: pathlib.Path) -> None:
     output = tmp_path / "out"
     arguments = ("bench", "-o", str(output), "--quick", "--device", "cpu", "--only", "costs")
-    result = python("-c", INTERRUPT, str(output), *arguments)
+    result = python("-c", interrupting.AT_FIRST_PAGE, str(output), *arguments)
     assert (result.returncode, result.stderr) == (130, "")
     assert not list(output.rglob("*.part"))
     tables = json.loads((output / "results.json").read_text("utf-8"))["tables"]

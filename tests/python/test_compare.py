@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import interrupting
 import pyopacity as po
 from pyopacity.comparison import Plan, Result, compare, sample_receivers
 from pyopacity.comparison.surfaces import trace_on_surfaces
@@ -329,27 +330,12 @@ def test_no_context_is_exit_code_3_and_leaves_nothing(run: Run, tmp_path: pathli
     assert list(tmp_path.iterdir()) == []
 
 
-# Sends Ctrl-C as soon as there is a page.
-INTERRUPT = """
-import os, pathlib, signal, sys, threading, time
-from pyopacity.cli import main
-
-def interrupt():
-    while not pathlib.Path(sys.argv[1], "index.html").exists():
-        time.sleep(0.001)
-    os.kill(os.getpid(), signal.SIGINT)
-
-threading.Thread(target=interrupt, daemon=True).start()
-sys.exit(main(sys.argv[2:]))
-"""
-
-
 @pytest.mark.gl
 def test_ctrl_c_keeps_whole_rows_and_no_half_file(python: Run, tmp_path: pathlib.Path) -> None:
     output = tmp_path / "out"
     sizes = ",".join(str(size) for size in range(64, 256, 4))
     arguments = (DEMO, "-o", str(output), "--map-size", sizes, *FLAGS)
-    result = python("-c", INTERRUPT, str(output), "compare", *arguments)
+    result = python("-c", interrupting.AT_FIRST_PAGE, str(output), "compare", *arguments)
     assert (result.returncode, result.stderr) == (130, "")
     assert not list(output.rglob("*.part"))
     rows = rows_of(output)

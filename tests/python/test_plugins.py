@@ -187,8 +187,17 @@ def test_the_command_line_says_so_in_a_line(capsys: pytest.CaptureFixture[str]) 
 GENERIC = "four_layers and not ladder"
 
 
+def passed(printed: str) -> int:
+    return int(printed.rpartition(" passed")[0].split()[-1])
+
+
 @pytest.mark.slow
 def test_a_described_technique_passes_the_tests_of_all(needs_gl: None) -> None:
     tests = [str(HERE / f"test_{name}.py") for name in ("techniques", "api_technique")]
-    printed = pytest_apart("-p", "registering.four_layers", *tests, "-k", GENERIC)
-    assert int(printed.rpartition(" passed")[0].split()[-1]) >= 3
+    assert passed(pytest_apart("-p", "registering.four_layers", *tests, "-k", GENERIC)) >= 3
+
+
+@pytest.mark.slow
+def test_a_described_technique_bears_the_stress_suite(needs_gl: None) -> None:
+    suite = str(HERE / "registering" / "stress_of_four_layers.py")
+    assert passed(pytest_apart("-p", "registering.four_layers", suite)) >= 30

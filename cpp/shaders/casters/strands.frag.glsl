@@ -1,6 +1,5 @@
 // A strand's ribbon in a texel: a point in depth.
 #include "casters/strands.glsl"
-#include "lib/ribbon.glsl"
 
 #ifdef LIGHT_FACES
 // What is even along the segment is not along its picture on a face.
@@ -11,14 +10,29 @@ void put_right(inout Coverage coverage) {
 }
 #endif
 
+#ifdef STAGE_COMPUTE
+// Told by casters/strands.comp.glsl, once a segment and once a column.
+MajorSegment visited_segment;
+RibbonColumn visited_column;
+#endif
+
+bool covers_texel(out Coverage coverage) {
+#ifndef STAGE_COMPUTE
+    MajorSegment visited_segment = major_segment(v_root, v_tip);
+#endif
+#ifdef PAPER_DEPOSIT
+    return line_coverage(visited_segment, texel_in_face(), coverage);
+#elif defined(STAGE_COMPUTE)
+    return row_coverage(visited_column, on_axes(visited_segment, texel_in_face()).y, coverage);
+#else
+    return ribbon_coverage(visited_segment, v_width_texels, texel_in_face(), coverage);
+#endif
+}
+
 bool covers(out Deposit deposit) {
     deposit = Deposit(0.0, 0.0, 0.0);
     Coverage coverage;
-#ifdef PAPER_DEPOSIT
-    if (!line_coverage(v_root, v_tip, texel_in_face(), coverage)) return false;
-#else
-    if (!ribbon_coverage(v_root, v_tip, v_width_texels, texel_in_face(), coverage)) return false;
-#endif
+    if (!covers_texel(coverage)) return false;
 #ifdef LIGHT_FACES
     put_right(coverage);
 #endif

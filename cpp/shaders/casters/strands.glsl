@@ -1,5 +1,6 @@
 // A segment as the light sees it: a line in the face that it is drawn on, with a width at both ends.
 #include "lib/drawn_caster.glsl"
+#include "lib/ribbon.glsl"
 #include "lib/segment.glsl"
 
 uniform float u_width_scale;  // shape's units to world units
@@ -60,24 +61,9 @@ bool place_segment(int segment) {
     return v_root.xy != v_tip.xy;  // along the light: no area
 }
 
-// The columns across the axis that the segment runs most along, and how far its ribbon reaches from
-// its line in each.
-struct Band {
-    bool steep;  // the axis is y
-    vec2 columns;
-    vec2 start;  // of the line, along the axis and across it
-    float slope, half_width;
-};
-
-Band placed_band() {
-    vec2 a = v_root.xy, d = v_tip.xy - v_root.xy;
-    bool steep = abs(d.y) > abs(d.x);
-    if (steep) a = a.yx, d = d.yx;
-    float slope = d.y / d.x;
-    vec2 columns = vec2(floor(min(a.x, a.x + d.x)), ceil(max(a.x, a.x + d.x)));
-    return Band(steep, columns, a, slope, 0.5 * max(v_width_texels.x, v_width_texels.y) * sqrt(1.0 + slope * slope));
+// Those that the segment reaches into, from the first to behind the last one.
+vec2 columns_of(MajorSegment s) {
+    vec2 ends = vec2(s.root.x, s.root.x + s.along.x);
+    return vec2(floor(min(ends.x, ends.y)), ceil(max(ends.x, ends.y)));
 }
-
-// Where the line passes x.
-float line_at(Band band, float x) { return band.start.y + band.slope * (x - band.start.x); }
 #endif

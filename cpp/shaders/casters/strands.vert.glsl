@@ -6,10 +6,10 @@ void place_caster() {
         gl_Position = clipped_away();
         return;
     }
-    Band band = placed_band();
-    float reach = band.half_width + 0.5 + 1.0 / 64.0;  // more than rasterisers round corners by
-    vec2 corner = segment_corner();
-    float x = mix(band.columns.x, band.columns.y, corner.x);
-    vec2 p = vec2(x, line_at(band, x) + corner.y * reach);
-    gl_Position = clip_from_texels(band.steep ? p.yx : p);
+    MajorSegment s = major_segment(v_root, v_tip);
+    float half_width = 0.5 * max(v_width_texels.x, v_width_texels.y) * s.stretch;
+    float reach = half_width + 0.5 + 1.0 / 64.0;  // more than rasterisers round corners by
+    vec2 corner = segment_corner(), columns = columns_of(s);
+    float x = mix(columns.x, columns.y, corner.x);
+    gl_Position = clip_from_texels(on_axes(s, vec2(x, line_at(s, x) + corner.y * reach)));
 }

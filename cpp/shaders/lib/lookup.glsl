@@ -72,7 +72,7 @@ float bias_of(Receiver receiver) {
 
 // A map of up to three texels has no border: its outer texels stand for what lies beside them.
 // Elsewhere nothing casts outside.
-void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float weight) {
+void add_tap(inout Taps taps, Receiver receiver, MajorSegment own, ivec2 texel, float depth, float weight) {
     if (u_light_map_size_px < 4) texel = clamp(texel, ivec2(0), ivec2(u_light_map_size_px - 1));
     taps.weight += weight;
     depth = depth_at(receiver, texel, depth);
@@ -81,7 +81,7 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
     if (all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(u_light_map_size_px)))) {
         ivec2 place = receiver.corner + texel;
         if (is_behind_opaque(receiver, place, depth)) return;
-        optical_depth = max(0.0, texel_optical_depth(place, depth, own_deposit(receiver, texel)));
+        optical_depth = max(0.0, texel_optical_depth(place, depth, own_deposit(receiver, own, texel)));
     }
     taps.lit += weight;
     taps.transmittance += weight * exp(-optical_depth);
@@ -92,6 +92,7 @@ void add_tap(inout Taps taps, Receiver receiver, ivec2 texel, float depth, float
 Taps filtered_taps(Receiver receiver, float depth, bool are_wanted) {
     Taps taps = Taps(0.0, 0.0, 0.0, 0.0);
     vec2 p = receiver.p_ls.xy;
+    MajorSegment own = own_segment(receiver);
 #if defined(FILTER_bilinear)
     // A box of one texel: most look-ups are this. Software goes through a branch that no lane takes, but
     // leaves a loop in which none is left; a GPU waits for one tap after the other where it cannot
@@ -107,19 +108,19 @@ Taps filtered_taps(Receiver receiver, float depth, bool are_wanted) {
     for (int i = 0; i < count; ++i) {
         bool is_right = i % 2 == 1, is_lower = i >= 2;
         float weight = (is_right ? above.x : below.x) * (is_lower ? above.y : below.y);
-        add_tap(taps, receiver, first + ivec2(is_right, is_lower), depth, weight);
+        add_tap(taps, receiver, own, first + ivec2(is_right, is_lower), depth, weight);
     }
 #else
     if (!are_wanted) return taps;
 #if defined(FILTER_none)
-    add_tap(taps, receiver, ivec2(floor(p)), depth, 1.0);
+    add_tap(taps, receiver, own, ivec2(floor(p)), depth, 1.0);
 #elif defined(FILTER_pcf)
     // 4 x 4 points (Bunnell and Pellacini 2004; thesis, section 3.5): at a radius of two texels they
     // are neighbours.
     float radius = filter_radius_texels(receiver.texels_per_unit);
     for (int i = 0; i < 16; ++i) {
         vec2 offset = (vec2(i % 4, i / 4) - 1.5) * (0.5 * radius);
-        add_tap(taps, receiver, ivec2(floor(p + offset)), depth, 1.0 / 16.0);
+        add_tap(taps, receiver, own, ivec2(floor(p + offset)), depth, 1.0 / 16.0);
     }
 #else
     float radius = filter_radius_texels(receiver.texels_per_unit);
@@ -127,7 +128,7 @@ Taps filtered_taps(Receiver receiver, float depth, bool are_wanted) {
     for (int y = first.y; y <= last.y; ++y) {
         float weight_y = filter_weight(float(y) - p.y, radius);
         for (int x = first.x; x <= last.x; ++x)
-            add_tap(taps, receiver, ivec2(x, y), depth, weight_y * filter_weight(float(x) - p.x, radius));
+            add_tap(taps, receiver, own, ivec2(x, y), depth, weight_y * filter_weight(float(x) - p.x, radius));
     }
 #endif
 #endif

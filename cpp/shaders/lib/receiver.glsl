@@ -100,11 +100,15 @@ Receiver seen_through(int split, Receiver receiver) {
 }
 #endif
 
-OwnDeposit own_strand_deposit(Receiver receiver, vec2 texel) {
+// What is the same in all texels: the line of its strand; of others it means nothing.
+MajorSegment own_segment(Receiver receiver) {
+    return major_segment(receiver.p_ls + receiver.ends.x * receiver.direction,
+                         receiver.p_ls + receiver.ends.y * receiver.direction);
+}
+
+OwnDeposit own_strand_deposit(Receiver receiver, MajorSegment own, vec2 texel) {
     Coverage coverage;
-    vec3 root = receiver.p_ls + receiver.ends.x * receiver.direction;
-    vec3 tip = receiver.p_ls + receiver.ends.y * receiver.direction;
-    if (!ribbon_coverage(root, tip, vec2(receiver.width_texels), texel, coverage)) return no_own_deposit;
+    if (!ribbon_coverage(own, vec2(receiver.width_texels), texel, coverage)) return no_own_deposit;
     float depth = max(coverage.depth, 0.0);
     return OwnDeposit(depth, depth,
                       coverage.along * optical_depth_of(receiver.opacity * coverage.across));
@@ -131,12 +135,12 @@ OwnDeposit own_particle_deposit(Receiver receiver, vec2 texel) {
     return OwnDeposit(begin, end, optical_depth_of(coverage.opacity));
 }
 
-// `texel` by its index in the face.
-OwnDeposit own_deposit(Receiver receiver, ivec2 texel) {
+// `texel` by its index in the face, `own` the receiver's own_segment.
+OwnDeposit own_deposit(Receiver receiver, MajorSegment own, ivec2 texel) {
     if (!(receiver.opacity > 0.0)) return no_own_deposit;
     vec2 middle = vec2(texel) + 0.5;
     if (is_at_particle(receiver)) return own_particle_deposit(receiver, middle);
-    return receiver.width_texels > 0.0 ? own_strand_deposit(receiver, middle)
+    return receiver.width_texels > 0.0 ? own_strand_deposit(receiver, own, middle)
                                        : own_surface_deposit(receiver, middle);
 }
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from common import Claim, Run, frame_cost, in_same_order, medians_in_turns
 from common.pictures import picture, sheet
-from common.scenes import published, renderer, seen
+from common.scenes import lit, published, renderer, seen, strands
 
 import pyopacity as po
 
@@ -59,6 +59,19 @@ def compared(
         shown.append(("exact lists", picture(used.render())))
     run.save(sheet(shown, 3))
     return [*errors(error, few, many), *times(run, scene, view, techniques, fps, map_size)]
+
+
+def hair(
+    run: Run,
+    style: str,
+    segments: int,
+    color: tuple[float, float, float],
+    fps: Mapping[str, float],
+) -> list[Claim]:
+    """:func:`compared` on demo:hair of a style, with as many segments as in the paper."""
+    scene = lit(f"demo:hair?style={style}&segments={run.pick(segments, 60_000, 3_000)}")
+    strands(scene).color = color
+    return compared(run, scene, po.Camera.fit(strands(scene)), fps, 8, 256)
 
 
 def errors(error: Mapping[str, float], few: int, many: int) -> list[Claim]:

@@ -9,19 +9,13 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from common import Claim, Run, main
-from common.scenes import lit, strands
-from deep_opacity_maps._comparison import CLUSTERS, DEEP, NONE, compared, slices
-
-import pyopacity as po
+from deep_opacity_maps._comparison import CLUSTERS, DEEP, NONE, hair, slices
 
 FPS = {NONE: 140, slices(8): 88, slices(256): 0.6, CLUSTERS: 47, DEEP: 74}
-COLOR = (0.1, 0.055, 0.03)
 
 
 def claims(run: Run) -> list[Claim]:
-    scene = lit(f"demo:hair?style=wavy&segments={run.pick(1_050_000, 60_000, 3_000)}")
-    strands(scene).color = COLOR
-    return compared(run, scene, po.Camera.fit(strands(scene)), FPS, 8, 256)
+    return hair(run, "wavy", 1_050_000, (0.1, 0.055, 0.03), FPS)
 
 
 if __name__ == "__main__":

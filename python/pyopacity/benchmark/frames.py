@@ -19,6 +19,8 @@ from pyopacity.technique import UNSHADOWED
 
 CAMERA, NOTHING, MAPS, SEARCH = "camera", "nothing", "maps", "passes of a search"
 FIXED_SPLIT = f"{ways.BOUNDING}, fixed split"
+LINEAR = f"{FIXED_SPLIT}, linear"  # as in the thesis, but for the deposit
+ALONG_STRANDS = f"{FIXED_SPLIT}, T along strands"  # for scenes in which only the camera moves
 _OF_A_SEARCH = ("histogram", "sampled_", "split_search")  # what names start with
 _TURN = 0.002  # of the camera's place, from frame to frame, in sides of the scene
 _NOTE = """Everything: every pass anew, over the same of a frame without shadows. Camera: only the
@@ -68,6 +70,7 @@ def turns_of(run: Run, segments: int) -> Turns:
                 size=goals.size,
                 map_size=goals.map_size,
                 compositing="opaque",
+                strand_look_up="along_strands" if name == ALONG_STRANDS else "auto",
             )
             works[name] = _frames(stack.enter_context(renderer), scene)
         return run.plan.clock.in_turns(works)
@@ -76,7 +79,12 @@ def turns_of(run: Run, segments: int) -> Turns:
 def _variants(run: Run) -> dict[str, Variant]:
     layers = run.plan.goals.layers
     found = {v.technique: v for v in comparison.Plan(layers=(layers,)).variants()}
-    return found | {FIXED_SPLIT: Variant(ways.BOUNDING, {"layers": layers, **ways.FIXED_SPLIT})}
+    fixed = {"layers": layers, **ways.FIXED_SPLIT}
+    return found | {
+        FIXED_SPLIT: Variant(ways.BOUNDING, fixed),
+        ALONG_STRANDS: Variant(ways.BOUNDING, fixed),
+        LINEAR: Variant(ways.BOUNDING, fixed | ways.LINEAR),
+    }
 
 
 def _frames(renderer: Renderer, scene: Scene) -> Callable[[], Parts]:

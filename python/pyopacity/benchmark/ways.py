@@ -20,7 +20,7 @@ FIXED_SPLIT: dict[str, Any] = {"split": "hybrid"}
 OURS = (ADAPTIVE, BOUNDING, EXACT)
 
 _LEAST_COEFFICIENTS = 3
-_LINEAR: dict[str, Any] = {"interpolation": "linear", "own_correction": False}
+LINEAR: dict[str, Any] = {"interpolation": "linear", "own_correction": False}
 _WITHOUT_OUR_DEPOSIT: dict[str, Any] = {"deposit_rule": "paper", "deposit": "blend"}
 
 
@@ -47,11 +47,11 @@ class Way:
 
 # Kim and Neumann 2001; Yuksel and Keyser 2008; Voicu 2011, three splits; Jansen and Bavoil 2010.
 PAPERS: dict[str, Way] = {
-    "opacity shadow maps": Way("opacity_shadow_maps", _LINEAR),
+    "opacity shadow maps": Way("opacity_shadow_maps", LINEAR),
     "deep opacity maps": Way("deep_opacity_maps", {"own_correction": False}),
-    "bounding, linear": Way(BOUNDING, _LINEAR | {"split": "linear"}),
-    "bounding, ratio .5": Way(BOUNDING, _LINEAR | FIXED_SPLIT),
-    "bounding, logarithmic": Way(BOUNDING, _LINEAR | {"split": "logarithmic"}),
+    "bounding, linear": Way(BOUNDING, LINEAR | {"split": "linear"}),
+    "bounding, ratio .5": Way(BOUNDING, LINEAR | FIXED_SPLIT),
+    "bounding, logarithmic": Way(BOUNDING, LINEAR | {"split": "logarithmic"}),
     "Fourier": Way("fourier_opacity_maps", {"own_correction": False}, takes_coefficients=True),
 }
 

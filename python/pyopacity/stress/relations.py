@@ -19,12 +19,19 @@ F64 = npt.NDArray[np.float64]
 
 
 def _compared(
-    bench: Bench, right: Scene, asked: F64, others: list[tuple[Scene, F64]], **more: float
+    bench: Bench, right: Scene, asked: F64, others: list[tuple[Scene, F64]]
 ) -> Iterator[tuple[Way, F64, F64]]:
     for way in bench.ways():
         truth = bench.T(way, right, asked, bias=0.0)
         for scene, points in others:
             yield way, bench.T(way, scene, points), truth
+
+
+def _alike(
+    bench: Bench, right: Scene, asked: F64, others: list[tuple[Scene, F64]]
+) -> Iterator[Finding]:
+    for way, T, truth in _compared(bench, right, asked, others):
+        yield apart(way, T, truth)
 
 
 def _mean(way: Way, T: F64, truth: F64) -> Finding:
@@ -70,8 +77,7 @@ def permuted(bench: Bench) -> Iterator[Finding]:
     other = [permuted_shape(shape, order) for shape in shapes][::-1]
     asked = bench.random(2).uniform(-2, 2, (1500, 3))
     pair = Scene(shapes, slanted()), Scene(other, slanted())
-    for way, T, right in _compared(bench, pair[0], asked, [(pair[1], asked)]):
-        yield apart(way, T, right)
+    yield from _alike(bench, pair[0], asked, [(pair[1], asked)])
 
 
 @case(
@@ -165,8 +171,7 @@ def subdivided(bench: Bench) -> Iterator[Finding]:
         count = whole.shape[1]
         scene = _seen_from_above(whole.reshape(-1, 3).copy(), np.arange(81) * count)
         others.append((scene, asked))
-    for way, T, truth in _compared(bench, right, asked, others):
-        yield apart(way, T, truth)
+    yield from _alike(bench, right, asked, others)
 
 
 @case(
@@ -181,8 +186,7 @@ def scaled(bench: Bench) -> Iterator[Finding]:
     asked = bench.random(6).uniform(-6, 6, (1500, 3))
     others = [(_seen_from_above(points, offsets, s), s * asked) for s in (1e-3, 0.1, 10.0, 1e3)]
     right = _seen_from_above(points, offsets)
-    for way, T, truth in _compared(bench, right, asked, others):
-        yield apart(way, T, truth)
+    yield from _alike(bench, right, asked, others)
 
 
 @case(

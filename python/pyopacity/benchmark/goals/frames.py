@@ -14,7 +14,14 @@ from pyopacity.technique import EXACT, UNSHADOWED
 EVERYTHING = Goal("P1", "frame with shadows / without, everything moving", 1.25)
 CAMERA = Goal("P2", "frame with shadows / without, only the camera moving", 1.05)
 SEARCH = Goal("P5", "search of a split / a frame without it", 2.0)
-_OURS = (frames.FIXED_SPLIT, ways.BOUNDING, ways.ADAPTIVE, EXACT)
+_OURS = (
+    frames.FIXED_SPLIT,
+    frames.LINEAR,
+    frames.ALONG_STRANDS,
+    ways.BOUNDING,
+    ways.ADAPTIVE,
+    EXACT,
+)
 
 
 def frame(run: Run) -> Iterator[Row]:

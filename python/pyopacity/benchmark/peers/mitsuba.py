@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import metrics
+from pyopacity.benchmark import ways
 from pyopacity.benchmark.clock import WHOLE, Parts, Turns, seconds_of, timed
 from pyopacity.benchmark.run import LIGHT, Run, has_strands, strands_of
 from pyopacity.camera import Camera
@@ -25,6 +26,7 @@ from pyopacity.light import DirectionalLight
 from pyopacity.renderer import Renderer
 from pyopacity.scene import Scene
 from pyopacity.shapes import Strands
+from pyopacity.technique import technique
 
 F32 = npt.NDArray[np.float32]
 F64 = npt.NDArray[np.float64]
@@ -75,7 +77,7 @@ def measure(run: Run) -> Pictures:
     where = f"{plan.hair}, {size[0]}x{size[1]}, {few} samples, errors against {many}"
     with (
         tempfile.TemporaryDirectory() as folder,
-        Renderer(scene, camera, size=size, ambient=0.0, specular=0.0) as renderer,
+        _renderer(scene, camera, size) as renderer,
     ):
         theirs = _Mitsuba(strands_of(scene), camera, size, pathlib.Path(folder))
         run.tell(f"Mitsuba: {where}")
@@ -95,6 +97,19 @@ def measure(run: Run) -> Pictures:
         difference=metrics.rmse(ours, reference),
         on_strands=metrics.rmse(ours[seen], reference[seen]) if seen.any() else None,
         noise=noise,
+    )
+
+
+def _renderer(scene: Scene, camera: Camera, size: tuple[int, int]) -> Renderer:
+    """No search of planes, and a map as fine as the picture."""
+    return Renderer(
+        scene,
+        camera,
+        size=size,
+        technique=technique(ways.BOUNDING, **ways.FIXED_SPLIT),
+        map_size=max(size),
+        ambient=0.0,
+        specular=0.0,
     )
 
 
