@@ -125,8 +125,8 @@ def test_only_what_moves_t_runs_it_again() -> None:
             np.testing.assert_array_equal(moved, r.render())
 
 
-def test_auto_takes_the_smaller_number() -> None:
-    """Places along the strands where they are fewer than samples of a picture that shows them."""
+def test_auto_goes_by_places_and_samples() -> None:
+    """Along the strands up to three places for each sample of a picture that shows them blended."""
     scene = hair()
     settings = {"camera": po.Camera.fit(po.Scene(scene.shapes[0].instance()))}
     with (
@@ -138,7 +138,7 @@ def test_auto_takes_the_smaller_number() -> None:
         assert "blended/strand_shadows" in ran(large)
         assert not strand_passes(small)
         (note,) = {row.note for row in large.report if row.name == "blended/strand_shadows"}
-        assert 6000 <= int(note.split()[0]) <= 400 * 300 * 4
+        assert 6000 <= int(note.split()[0]) <= 3 * 400 * 300 * 4
 
 
 def test_nothing_runs_where_nothing_is_looked_up() -> None:

@@ -104,11 +104,11 @@ Taps filtered_taps(Receiver receiver, float depth, bool are_wanted) {
     const int count = 4;
 #endif
     ivec2 first = ivec2(floor(p - 0.5));
-    vec2 above = p - 0.5 - vec2(first), below = 1.0 - above;
+    vec2 of_next = p - 0.5 - vec2(first), of_first = 1.0 - of_next;
     for (int i = 0; i < count; ++i) {
-        bool is_right = i % 2 == 1, is_lower = i >= 2;
-        float weight = (is_right ? above.x : below.x) * (is_lower ? above.y : below.y);
-        add_tap(taps, receiver, own, first + ivec2(is_right, is_lower), depth, weight);
+        bvec2 is_next = bvec2(i % 2 == 1, i >= 2);
+        float weight = (is_next.x ? of_next.x : of_first.x) * (is_next.y ? of_next.y : of_first.y);
+        add_tap(taps, receiver, own, first + ivec2(is_next), depth, weight);
     }
 #else
     if (!are_wanted) return taps;

@@ -9,8 +9,8 @@
 namespace opacity::render {
 
 bool keeps_nearest(const Pass& pass) {
-    return pass.state.depth != Depth::off && pass.state.blend == Blend::off &&
-           pass.view->faces() == 0;
+    return pass.view->has_eye() && pass.state.depth == Depth::greater &&
+           pass.state.blend == Blend::off;
 }
 
 std::vector<std::size_t> drawing_order(const Pass& pass) {

@@ -10,6 +10,7 @@
 
 namespace opacity::render {
 
+// Whether a camera's pass does: one over its distance, the largest, remains.
 bool keeps_nearest(const Pass& pass);
 // Its shapes by number: strands before the bodies that they grow on, else as they come.
 std::vector<std::size_t> drawing_order(const Pass& pass);

@@ -44,6 +44,10 @@ Shading::Lamp::Lamp(const std::string& scope)
     ambient.update({{"u_ambient", 0.f}});
 }
 
+Shading::Shading() {
+    camera_.look_from_origin();
+}
+
 void Shading::update(const PictureInputs& inputs) {
     const double aspect = view_of(inputs.camera, inputs.settings).aspect;
     const double4x4 view = inputs.camera.view_from_world();

@@ -11,6 +11,7 @@ namespace opacity::render {
 
 class Shading {
    public:
+    Shading();
     // The camera and the lights as they are now, and the passes that those below read.
     void add(FrameGraph& graph, const PictureInputs& inputs);
     const View& camera() const { return camera_; }

@@ -12,8 +12,8 @@
 namespace opacity::render {
 namespace {
 
-// Between two places, on the mean. Of 1 to 8 the largest at which total errors on hair are no
-// larger than per sample (docs/accuracy.md).
+// Between two places, in segments of root mean square length. Of 1 to 8 the largest at which total
+// errors on hair are no larger than per sample (docs/accuracy.md).
 constexpr double texels_a_step = 3.0;
 constexpr int most_steps = 64;
 // Up to so many places a sample they are worth it where all moves, or nearly so, and from then on
@@ -26,7 +26,7 @@ bool has_places(const Shape& shape) {
     return dynamic_cast<const Strands*>(&shape) && shape.receives();
 }
 
-double mean_length(const Strands& strands) {
+double rms_length(const Strands& strands) {
     const Positions& points = strands.points();
     double sum = 0.0;
     for (const std::uint32_t i : strands.segments()) {
@@ -71,8 +71,7 @@ double StrandShadows::segment_length(const Strands& strands) {
     const Revision geometry = strands.revisions().geometry;
     const auto known = known_lengths_.find(geometry);
     const auto [found, is_new] = lengths_.try_emplace(geometry, 0.0);
-    if (is_new)
-        found->second = known != known_lengths_.end() ? known->second : mean_length(strands);
+    if (is_new) found->second = known != known_lengths_.end() ? known->second : rms_length(strands);
     return found->second * strands.scale();
 }
 
@@ -130,8 +129,14 @@ void StrandShadows::add(FrameGraph& graph, const PictureInputs& inputs, const st
     if (!is_wanted(inputs.settings, found,
                    is_blended ? most_places_a_blended_sample : most_places_a_solid_sample))
         return;
-    const ShadowLookUp& look_up = light.look_up();
     const FrameGraph::Scope scope{graph, name};
+    const Buffers buffers = add_pass(graph, light, found, shapes);
+    places_.emplace(std::pair{index, &shapes}, buffers);
+}
+
+StrandShadows::Buffers StrandShadows::add_pass(FrameGraph& graph, const LightMaps& light,
+                                               const Places& found, const DrawList& shapes) {
+    const ShadowLookUp& look_up = light.look_up();
     DrawList& strands = strands_of(shapes);
     auto &of_strands = graph.value("of_strands", std::vector<int>{}),
          &of_shapes = graph.value("of_shapes", std::vector<int>{});
@@ -162,7 +167,7 @@ void StrandShadows::add(FrameGraph& graph, const PictureInputs& inputs, const st
         pass.reads.push_back(&strands.opacity);
     }
     graph.add(std::move(pass));
-    places_.emplace(std::pair{index, &shapes}, Buffers{places, transmittance});
+    return {places, transmittance};
 }
 
 void StrandShadows::add_look_up(Pass& pass, std::size_t light, const DrawList& shapes) const {

@@ -3,8 +3,8 @@
 // two of these places, which costs next to nothing beside a look-up in the maps; and the mean of
 // two places errs less than one look-up does (docs/accuracy.md, "Along strands").
 //
-// Cost: a look-up a place, 4 bytes. Fails: where strands are so far away that they have more places
-// than samples.
+// Cost: a look-up a place, 4 bytes. Fails: where strands are so far away that they have many more
+// places than samples.
 #pragma once
 
 #include <map>
@@ -42,6 +42,8 @@ class StrandShadows {
     struct Buffers {
         const Buffer &places, &transmittance;
     };
+    Buffers add_pass(FrameGraph& graph, const LightMaps& light, const Places& found,
+                     const DrawList& shapes);
     std::map<std::pair<std::size_t, const DrawList*>, Buffers> places_;
     std::map<const DrawList*, DrawList> strands_;  // of each list, what has places
     // Of segments, in the shape's units, by the revision of its geometry: of the frame before, and

@@ -76,10 +76,12 @@ def table(name: str, ours: Rates) -> list[Claim]:
             ordered and all(rises(ours[s][::-1], SLACK) for s in NAMES),
         ),
         Claim(
-            f"{name}: time of a frame, BOM over DOM, falls with the layers",
+            f"{name}: time of a frame, BOM over DOM, falls with layers (by {100 * SLACK:.0f} %)",
             ", ".join(f"{value:.2f}" for value in over[0]),
             ", ".join(f"{value:.2f}" for value in over[1]),
-            over[1][-1] < over[1][0],
+            rises(over[1][::-1], SLACK) and over[1][-1] < (1 - SLACK) * over[1][0],
+            why="both bounds come from one pass here, a small part of a frame even beside four "
+            "layers, so that there is little to fall",
         ),
     ]
 

@@ -61,6 +61,10 @@ class View : public UniformSet {
         touch();
     }
 
+    // Whether it looks from the origin of its coordinates, as cameras do; else these are of a map.
+    bool has_eye() const noexcept { return has_eye_; }
+    void look_from_origin() { has_eye_ = true; }
+
     // The part of the strands that it sees, each as many times as wide; 1: all, as they are.
     double strand_detail() const noexcept { return strand_detail_; }
     void set_strand_detail(double detail) {
@@ -92,6 +96,7 @@ class View : public UniformSet {
     };
     double4x4 from_world_ = identity;
     int faces_ = 0;
+    bool has_eye_ = false;
     double strand_detail_ = 1.0;
     std::map<const Shape*, Seen> seen_;
 };
