@@ -17,7 +17,18 @@ import pytest
 import interrupting
 import pyopacity as po
 import ray_reference
-from pyopacity.benchmark import QUICK, SECTIONS, Plan, Results, Run, Table, goals, measure
+from pyopacity.benchmark import (
+    QUICK,
+    SECTIONS,
+    Plan,
+    Results,
+    Run,
+    Table,
+    frames,
+    goals,
+    measure,
+    ways,
+)
 from pyopacity.benchmark.clock import Clock, Turns
 from pyopacity.benchmark.figures import exponent, front
 from pyopacity.benchmark.peers import mitsuba
@@ -166,7 +177,9 @@ def test_goals_of_frames_and_pictures_are_measured_with_opengl() -> None:
         assert (row["measured"] is None) is missing, row
         assert missing or row["holds"] is (row["measured"] <= row["at most"])
     techniques = [row["technique"] for row in found["frames"]]
-    assert techniques[:-1] == list(po.techniques())
+    names = list(po.techniques())
+    assert techniques[: len(names)] == names
+    assert techniques[len(names) :] == [ways.BOUNDING_FIXED, frames.ALONG_STRANDS, frames.LINEAR]
     plain = found["frames"][techniques.index("unshadowed")]
     assert plain["everything"] == plain["camera moves"] == 1.0
 

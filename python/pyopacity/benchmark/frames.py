@@ -18,9 +18,9 @@ from pyopacity.scene import Scene
 from pyopacity.technique import UNSHADOWED
 
 CAMERA, NOTHING, MAPS, SEARCH = "camera", "nothing", "maps", "passes of a search"
-FIXED_SPLIT = f"{ways.BOUNDING}, fixed split"
-LINEAR = f"{FIXED_SPLIT}, linear"  # as in the thesis, but for the deposit
-ALONG_STRANDS = f"{FIXED_SPLIT}, T along strands"  # for scenes in which only the camera moves
+LINEAR = f"{ways.BOUNDING_FIXED}, linear"  # as in the thesis, but for the deposit
+# For scenes in which only the camera moves.
+ALONG_STRANDS = f"{ways.BOUNDING_FIXED}, T along strands"
 _OF_A_SEARCH = ("histogram", "sampled_", "split_search")  # what names start with
 _TURN = 0.002  # of the camera's place, from frame to frame, in sides of the scene
 _NOTE = """Everything: every pass anew, over the same of a frame without shadows. Camera: only the
@@ -81,7 +81,7 @@ def _variants(run: Run) -> dict[str, Variant]:
     found = {v.technique: v for v in comparison.Plan(layers=(layers,)).variants()}
     fixed = {"layers": layers, **ways.FIXED_SPLIT}
     return found | {
-        FIXED_SPLIT: Variant(ways.BOUNDING, fixed),
+        ways.BOUNDING_FIXED: Variant(ways.BOUNDING, fixed),
         ALONG_STRANDS: Variant(ways.BOUNDING, fixed),
         LINEAR: Variant(ways.BOUNDING, fixed | ways.LINEAR),
     }

@@ -15,7 +15,7 @@ EVERYTHING = Goal("P1", "frame with shadows / without, everything moving", 1.25)
 CAMERA = Goal("P2", "frame with shadows / without, only the camera moving", 1.05)
 SEARCH = Goal("P5", "search of a split / a frame without it", 2.0)
 _OURS = (
-    frames.FIXED_SPLIT,
+    ways.BOUNDING_FIXED,
     frames.LINEAR,
     frames.ALONG_STRANDS,
     ways.BOUNDING,
@@ -37,5 +37,5 @@ def frame(run: Run) -> Iterator[Row]:
             ratios = {way: turns.ratio(way, UNSHADOWED, part) for way in _OURS}
             note = "; ".join(f"{way} {ratio:.2f}" for way, ratio in ratios.items())
             yield goal.measured(min(ratios.values()), where, turns.rounds, note)
-        ratio = turns.ratio(ways.BOUNDING, frames.FIXED_SPLIT, frames.SEARCH, WHOLE)
+        ratio = turns.ratio(ways.BOUNDING, ways.BOUNDING_FIXED, frames.SEARCH, WHOLE)
         yield SEARCH.measured(ratio, where, turns.rounds)
