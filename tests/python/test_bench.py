@@ -176,12 +176,35 @@ def test_goals_of_frames_and_pictures_are_measured_with_opengl() -> None:
         missing = row["goal"] == "P11" and not mitsuba.is_installed()
         assert (row["measured"] is None) is missing, row
         assert missing or row["holds"] is (row["measured"] <= row["at most"])
-    techniques = [row["technique"] for row in found["frames"]]
+    rows = {row["goal"]: row for row in found["goals"]}
+    frame_rows = {row["technique"]: row for row in found["frames"]}
+    for goal, column in (("P1", "everything"), ("P2", "camera moves")):
+        best, _, others = str(rows[goal]["note"]).removeprefix("of ").partition(" alone; others: ")
+        assert frame_rows[best][column] == rows[goal]["measured"]
+        assert len(others.split("; ")) == 5 and best not in re.split(r" [\d.]+(?:; |$)", others)
+    assert ways.BOUNDING_FIXED in str(rows["P5"]["note"])
+    techniques = list(frame_rows)
     names = list(po.techniques())
     assert techniques[: len(names)] == names
     assert techniques[len(names) :] == [ways.BOUNDING_FIXED, frames.ALONG_STRANDS, frames.LINEAR]
     plain = found["frames"][techniques.index("unshadowed")]
     assert plain["everything"] == plain["camera moves"] == 1.0
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("technique", ["unshadowed", "bounding_opacity_maps", "exact"])
+def test_a_frame_of_moving_casters_is_done_anew(technique: str) -> None:
+    """Uploads too: the report gives the casters as what moved. The picture stays the same."""
+    scene = Run(TINY).hair(300)
+    touch = frames.touching(scene)
+    with po.Renderer(scene, technique=technique, size=(16, 12), map_size=32) as renderer:
+        picture = renderer.render()
+        first = {row.name: row.status for row in renderer.report}
+        renderer.render()
+        assert "ran" not in {row.status for row in renderer.report}
+        touch()
+        assert np.array_equal(renderer.render(), picture)
+        assert {row.name: row.status for row in renderer.report} == first
 
 
 def test_rows_are_complete_and_hold_no_nan(tables: dict[str, Table]) -> None:
