@@ -8,6 +8,7 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -24,6 +25,7 @@ from pyopacity.benchmark import (
     Results,
     Run,
     Table,
+    calls,
     frames,
     goals,
     measure,
@@ -38,7 +40,7 @@ from pyopacity.benchmark.plan import GoalSizes
 Shell = Callable[..., subprocess.CompletedProcess[str]]
 
 HAIR = "demo:hair?segments=300"
-ONCE = Clock(rounds=1, seconds=0.0, least=1, warm_up=0)
+ONCE = Clock(rounds=1, least=1, warm_up=0)
 TINY = Plan(
     scenes=(HAIR, "demo:plume?particles=50"),
     hair=HAIR,
@@ -95,15 +97,21 @@ def test_ratios_are_of_things_of_one_round() -> None:
     assert math.isnan(turns.ratio("a", "b", "no such part"))
 
 
-def test_things_take_turns_until_time_is_up() -> None:
+def test_only_slow_things_take_fewer_turns() -> None:
     called: list[str] = []
 
     def work(name: str) -> Callable[[], dict[str, float]]:
         return lambda: called.append(name) or {"whole": 1.0}
 
-    clock = Clock(rounds=5, seconds=0.0, least=2, warm_up=1)
+    clock = Clock(rounds=5, slow_s=0.0, least=2, warm_up=1)
     assert clock.in_turns({"a": work("a"), "b": work("b")}).rounds == 2
     assert called == ["a", "b"] * 3
+    assert replace(clock, slow_s=60.0).in_turns({"a": work("a")}).rounds == 5
+
+
+def test_goals_are_medians_of_nine_or_where_a_round_takes_long_of_five() -> None:
+    clock = Plan().clock
+    assert (clock.rounds, clock.least, clock.slow_s) == (9, 5, 20.0) and clock.warm_up > 0
 
 
 def test_brute_force_agrees_with_rays() -> None:
@@ -158,13 +166,22 @@ def test_every_goal_has_rows_that_tell_whether_it_holds(tables: dict[str, Table]
 @pytest.mark.skipif(shutil.which("cmake") is None, reason="no cmake")
 def test_calls_from_python_are_compared_with_c_plus_plus() -> None:
     few = replace(TINY.goals, call_segments=100, call_repeats=3)
-    run = Run(replace(TINY.on("cpu"), goals=few))
+    plan = replace(TINY.on("cpu"), goals=few, clock=Clock(rounds=2, least=2, warm_up=0))
+    run = Run(plan)
     found = {table.name: table.rows for table in measure(run, ("P9", "calls"))}
     assert [row["frame"] for row in found["calls"]] == ["points", "shape", "shape_anew"]
     for row in found["calls"]:
-        assert row["ratio"] > 0.0 and row["C++, us"] > 0.0 and row["rounds"] > 1
+        assert row["ratio"] > 0.0 and row["C++, us"] > 0.0 and row["rounds"] == 2
     (goal,) = found["goals"]
     assert goal["measured"] == found["calls"][-1]["ratio"]
+
+
+def test_a_programme_that_fails_is_an_error_with_its_last_words() -> None:
+    fails = "import sys; print('a\\nb', file=sys.stderr); sys.exit('no such device')"
+    with pytest.raises(po.Error, match="no such device"):
+        calls._output(sys.executable, "-c", fails)
+    with pytest.raises(po.Error, match="ended with 3"):
+        calls._output(sys.executable, "-c", "raise SystemExit(3)")
 
 
 @pytest.mark.gl
@@ -209,7 +226,11 @@ def test_a_frame_of_moving_casters_is_done_anew(technique: str) -> None:
 
 def test_rows_are_complete_and_hold_no_nan(tables: dict[str, Table]) -> None:
     names = {table.name for table in tables.values()}
-    assert names == {"goals", "errors", "scaling", "passes", "memory", "peers"}
+    assert names == {
+        *("goals", "errors", "frames", "scaling", "passes", "memory", "calls", "peers"),
+    }
+    for name in ("frames", "calls"):  # without OpenGL, and without calls in the plan
+        assert all(str(row["note"]).startswith("not measured: ") for row in tables[name].rows)
     for table in tables.values():
         assert table.rows and table.note and table.title
         for row in table.rows:
@@ -317,6 +338,16 @@ def test_without_opengl_it_says_what_it_leaves_out(bench: Shell, tmp_path: pathl
     words = shlex.split(document["command"])
     assert words == ["pyopacity", "bench", "--device=cpu", "--only=P2,P4", "--quick"]
     assert {path.name for path in output.iterdir()} == {"goals.csv", "results.json", "index.html"}
+
+
+def test_what_cannot_be_measured_has_a_page_that_says_why(
+    bench: Shell, tmp_path: pathlib.Path
+) -> None:
+    result = bench("-o", str(tmp_path / "out"), "--quick", "--only", "frames", "--device", "cpu")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "not measured: pictures need OpenGL" in result.stdout
+    page = pathlib.Path(result.stdout.splitlines()[-1])
+    assert "pictures need OpenGL" in page.read_text("utf-8")
 
 
 def test_a_file_takes_the_place_of_generated_scenes(bench: Shell, tmp_path: pathlib.Path) -> None:

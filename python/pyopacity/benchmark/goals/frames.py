@@ -30,7 +30,7 @@ def frame(run: Run) -> Iterator[Row]:
         where = frames.where(run, segments)
         if run.plan.device == "cpu":
             for goal in (EVERYTHING, CAMERA, SEARCH):
-                yield goal.not_measured(where, "pictures need OpenGL")
+                yield goal.not_measured(where, frames.NEEDS_OPENGL)
             continue
         turns = run.once(frames.turns_of, segments)
         for goal, part in ((EVERYTHING, WHOLE), (CAMERA, frames.CAMERA)):
