@@ -7,6 +7,7 @@ import pathlib
 import re
 import shlex
 import shutil
+import struct
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -33,6 +34,7 @@ from pyopacity.benchmark import (
 )
 from pyopacity.benchmark.clock import Clock, Turns
 from pyopacity.benchmark.figures import exponent, front
+from pyopacity.benchmark.goals import deposits, errors
 from pyopacity.benchmark.peers import mitsuba
 from pyopacity.benchmark.peers.brute_force import Segments
 from pyopacity.benchmark.plan import GoalSizes
@@ -160,6 +162,43 @@ def test_every_goal_has_rows_that_tell_whether_it_holds(tables: dict[str, Table]
     need_opengl, has_no_calls = {"P1", "P2", "P3", "P5", "P11"}, {"P9"}
     # P6: where no setting of a scene this small errs little enough.
     assert need_opengl | has_no_calls <= unmeasured <= need_opengl | has_no_calls | {"P6"}
+
+
+def write_hair(path: pathlib.Path) -> None:
+    """Two strands of three points, with nothing about them that stays opaque."""
+    header = struct.pack("<4s4I5f88s", b"HAIR", 2, 6, 2, 2, 0.2, 0.5, 0.6, 0.4, 0.2, b"")
+    points = [(x, 0.0, z) for x in (0.0, 1.0) for z in (0.0, 1.0, 2.0)]
+    path.write_bytes(header + np.array(points, np.float32).tobytes())
+
+
+def test_where_nothing_casts_no_goal_of_errors_is_measured(tmp_path: pathlib.Path) -> None:
+    path = str(tmp_path / "clear.hair")
+    write_hair(pathlib.Path(path))
+    plan = replace(TINY.on("cpu"), hair=path, scenes=(path,), changes={"opacity": 0.0})
+    *_, table = measure(Run(plan), ("P6", "P7"))
+    of_errors = [row for row in table.rows if not str(row["ratio"]).startswith("time")]
+    assert len(of_errors) == 5  # of P7 two numbers of layers, each at equal layers and bytes
+    for row in of_errors:
+        assert row["holds"] is None and "nothing to divide by" in str(row["note"]), row
+
+
+def test_without_a_pass_or_a_row_a_goal_is_not_measured() -> None:
+    parts = {"scatter": [{"m/opacity": 0.1, "whole": 0.3}], "blend": [{"whole": 0.3}]}
+    told = ("scatter", "blend"), "somewhere", "linear"
+    row = deposits._row(deposits.LAYERS, Turns(parts), ("opacity",), *told)
+    assert row["measured"] is None and "opacity" in str(row["note"])
+    parts["blend"][0]["m/opacity"] = 0.4
+    row = deposits._row(deposits.LAYERS, Turns(parts), ("opacity",), *told)
+    assert row["measured"] == 0.25
+
+    head = {"technique": "exact", "map": 8}
+    missing = head | {"seconds": None, "total error": None, "rounds": None, "note": "no memory"}
+    found = head | {"seconds": 1.0, "total error": 0.01, "rounds": 5, "note": ""}
+    for of in (errors._time, errors._least_error):
+        row = of("somewhere", [found], [missing])
+        assert row["measured"] is None and "none of theirs" in str(row["note"])
+        assert "no memory" in str(row["note"])
+        assert of("somewhere", [found], [found])["measured"] == 1.0
 
 
 @pytest.mark.slow
@@ -373,6 +412,7 @@ def test_a_file_takes_the_place_of_generated_scenes(bench: Shell, tmp_path: path
         (("-o", "out", "--device", "tpu"), "--device"),
         (("-o", "out", "--map-size", "99999"), "1..16384"),
         (("-o", "out", "--layers", "4000"), "1..64"),
+        (("-o", "out", "--layers", "128"), "1..64"),
         (("-o", "out", "--opacity", ".3"), "--opacity"),
         (("nothing.hair", "-o", "out", "--scenes", "hair"), "--scenes"),
         (("nothing.hair", "-o", "out", "--device", "cpu"), "nothing.hair"),

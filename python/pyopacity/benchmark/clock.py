@@ -39,6 +39,15 @@ class Turns:
         """Of all rounds."""
         return statistics.median(self.values(name, part))
 
+    def summed(self, wanted: Callable[[str], bool]) -> Turns:
+        """Of each round the parts of these names alone, as the whole; 0 where there are none."""
+        return Turns(
+            {
+                name: [{WHOLE: sum(t for part, t in one.items() if wanted(part))} for one in rounds]
+                for name, rounds in self._rounds.items()
+            }
+        )
+
     def parts(self, name: str) -> list[str]:
         """In the order in which they came."""
         return list(dict.fromkeys(part for parts in self._rounds[name] for part in parts))

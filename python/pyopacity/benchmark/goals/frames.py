@@ -36,6 +36,9 @@ def frame(run: Run) -> Iterator[Row]:
         for goal, part in ((EVERYTHING, WHOLE), (CAMERA, frames.CAMERA)):
             ratios = {way: turns.ratio(way, UNSHADOWED, part) for way in _OURS}
             yield goal.measured(min(ratios.values()), where, turns.rounds, _told(ratios))
+        if turns.median(ways.BOUNDING, frames.SEARCH) == 0.0:
+            yield SEARCH.not_measured(where, "nothing casts that a search would split")
+            continue
         ratio = turns.ratio(ways.BOUNDING, ways.BOUNDING_FIXED, frames.SEARCH, WHOLE)
         note = f"passes of a search of {ways.BOUNDING} / a frame of {ways.BOUNDING_FIXED}"
         yield SEARCH.measured(ratio, where, turns.rounds, note)
