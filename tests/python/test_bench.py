@@ -303,6 +303,19 @@ def test_a_front_is_of_rows_that_nothing_beats(tables: dict[str, Table]) -> None
             assert not (row["front"] and beaten)
 
 
+def test_the_plot_has_every_row_and_joins_the_front_of_the_table(tables: dict[str, Table]) -> None:
+    errors = tables["errors"]
+    for scene, svg in zip(TINY.scenes, errors.plots.values(), strict=True):
+        rows = [row for row in errors.rows if row["scene"] == scene]
+        assert svg.count("<title>") == len(rows)
+        kinds = {str(row["of"]) for row in rows}
+        assert all(f">{kind}</text>" in svg for kind in kinds)
+        assert (len(kinds), "<path" in svg) in {(1, False), (4, True)}  # shapes are of the others
+        joined = re.search(r'<polyline points="([^"]*)" class="front"', svg)
+        on_front = sum(row["front"] is True for row in rows)
+        assert (len(joined[1].split()) if joined else 1) == on_front
+
+
 def test_passes_add_up(tables: dict[str, Table]) -> None:
     rows = tables["passes"].rows
     for technique in {row["technique"] for row in rows}:
