@@ -5,29 +5,39 @@ import json
 import math
 import pathlib
 import re
-import shlex
 import shutil
-import subprocess
-from collections.abc import Callable, Sequence
+import struct
+import sys
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-import interrupting
 import pyopacity as po
 import ray_reference
-from pyopacity.benchmark import QUICK, SECTIONS, Plan, Results, Run, Table, goals, measure
+from pyopacity.benchmark import (
+    QUICK,
+    SECTIONS,
+    Plan,
+    Results,
+    Run,
+    Table,
+    calls,
+    frames,
+    goals,
+    measure,
+    ways,
+)
 from pyopacity.benchmark.clock import Clock, Turns
 from pyopacity.benchmark.figures import exponent, front
+from pyopacity.benchmark.goals import deposits, errors
 from pyopacity.benchmark.peers import mitsuba
 from pyopacity.benchmark.peers.brute_force import Segments
 from pyopacity.benchmark.plan import GoalSizes
 
-Shell = Callable[..., subprocess.CompletedProcess[str]]
-
 HAIR = "demo:hair?segments=300"
-ONCE = Clock(rounds=1, seconds=0.0, least=1, warm_up=0)
+ONCE = Clock(rounds=1, least=1, warm_up=0)
 TINY = Plan(
     scenes=(HAIR, "demo:plume?particles=50"),
     hair=HAIR,
@@ -84,15 +94,21 @@ def test_ratios_are_of_things_of_one_round() -> None:
     assert math.isnan(turns.ratio("a", "b", "no such part"))
 
 
-def test_things_take_turns_until_time_is_up() -> None:
+def test_only_slow_things_take_fewer_turns() -> None:
     called: list[str] = []
 
     def work(name: str) -> Callable[[], dict[str, float]]:
         return lambda: called.append(name) or {"whole": 1.0}
 
-    clock = Clock(rounds=5, seconds=0.0, least=2, warm_up=1)
+    clock = Clock(rounds=5, slow_s=0.0, least=2, warm_up=1)
     assert clock.in_turns({"a": work("a"), "b": work("b")}).rounds == 2
     assert called == ["a", "b"] * 3
+    assert replace(clock, slow_s=60.0).in_turns({"a": work("a")}).rounds == 5
+
+
+def test_goals_are_medians_of_nine_or_where_a_round_takes_long_of_five() -> None:
+    clock = Plan().clock
+    assert (clock.rounds, clock.least, clock.slow_s) == (9, 5, 20.0) and clock.warm_up > 0
 
 
 def test_brute_force_agrees_with_rays() -> None:
@@ -143,17 +159,63 @@ def test_every_goal_has_rows_that_tell_whether_it_holds(tables: dict[str, Table]
     assert need_opengl | has_no_calls <= unmeasured <= need_opengl | has_no_calls | {"P6"}
 
 
+def write_hair(path: pathlib.Path) -> None:
+    """Two strands of three points, with nothing about them that stays opaque."""
+    header = struct.pack("<4s4I5f88s", b"HAIR", 2, 6, 2, 2, 0.2, 0.5, 0.6, 0.4, 0.2, b"")
+    points = [(x, 0.0, z) for x in (0.0, 1.0) for z in (0.0, 1.0, 2.0)]
+    path.write_bytes(header + np.array(points, np.float32).tobytes())
+
+
+def test_where_nothing_casts_no_goal_of_errors_is_measured(tmp_path: pathlib.Path) -> None:
+    path = str(tmp_path / "clear.hair")
+    write_hair(pathlib.Path(path))
+    plan = replace(TINY.on("cpu"), hair=path, scenes=(path,), changes={"opacity": 0.0})
+    *_, table = measure(Run(plan), ("P6", "P7"))
+    of_errors = [row for row in table.rows if not str(row["ratio"]).startswith("time")]
+    assert len(of_errors) == 5  # of P7 two numbers of layers, each at equal layers and bytes
+    for row in of_errors:
+        assert row["holds"] is None and "nothing to divide by" in str(row["note"]), row
+
+
+def test_without_a_pass_or_a_row_a_goal_is_not_measured() -> None:
+    parts = {"scatter": [{"m/opacity": 0.1, "whole": 0.3}], "blend": [{"whole": 0.3}]}
+    told = ("scatter", "blend"), "somewhere", "linear"
+    row = deposits._row(deposits.LAYERS, Turns(parts), ("opacity",), *told)
+    assert row["measured"] is None and "opacity" in str(row["note"])
+    parts["blend"][0]["m/opacity"] = 0.4
+    row = deposits._row(deposits.LAYERS, Turns(parts), ("opacity",), *told)
+    assert row["measured"] == 0.25
+
+    head = {"technique": "exact", "map": 8}
+    missing = head | {"seconds": None, "total error": None, "rounds": None, "note": "no memory"}
+    found = head | {"seconds": 1.0, "total error": 0.01, "rounds": 5, "note": ""}
+    for of in (errors._time, errors._least_error):
+        row = of("somewhere", [found], [missing])
+        assert row["measured"] is None and "none of theirs" in str(row["note"])
+        assert "no memory" in str(row["note"])
+        assert of("somewhere", [found], [found])["measured"] == 1.0
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(shutil.which("cmake") is None, reason="no cmake")
 def test_calls_from_python_are_compared_with_c_plus_plus() -> None:
     few = replace(TINY.goals, call_segments=100, call_repeats=3)
-    run = Run(replace(TINY.on("cpu"), goals=few))
+    plan = replace(TINY.on("cpu"), goals=few, clock=Clock(rounds=2, least=2, warm_up=0))
+    run = Run(plan)
     found = {table.name: table.rows for table in measure(run, ("P9", "calls"))}
     assert [row["frame"] for row in found["calls"]] == ["points", "shape", "shape_anew"]
     for row in found["calls"]:
-        assert row["ratio"] > 0.0 and row["C++, us"] > 0.0 and row["rounds"] > 1
+        assert row["ratio"] > 0.0 and row["C++, us"] > 0.0 and row["rounds"] == 2
     (goal,) = found["goals"]
     assert goal["measured"] == found["calls"][-1]["ratio"]
+
+
+def test_a_programme_that_fails_is_an_error_with_its_last_words() -> None:
+    fails = "import sys; print('a\\nb', file=sys.stderr); sys.exit('no such device')"
+    with pytest.raises(po.Error, match="no such device"):
+        calls._output(sys.executable, "-c", fails)
+    with pytest.raises(po.Error, match="ended with 3"):
+        calls._output(sys.executable, "-c", "raise SystemExit(3)")
 
 
 @pytest.mark.gl
@@ -165,15 +227,44 @@ def test_goals_of_frames_and_pictures_are_measured_with_opengl() -> None:
         missing = row["goal"] == "P11" and not mitsuba.is_installed()
         assert (row["measured"] is None) is missing, row
         assert missing or row["holds"] is (row["measured"] <= row["at most"])
-    techniques = [row["technique"] for row in found["frames"]]
-    assert techniques[:-1] == list(po.techniques())
+    rows = {row["goal"]: row for row in found["goals"]}
+    frame_rows = {row["technique"]: row for row in found["frames"]}
+    for goal, column in (("P1", "everything"), ("P2", "camera moves")):
+        best, _, others = str(rows[goal]["note"]).removeprefix("of ").partition(" alone; others: ")
+        assert frame_rows[best][column] == rows[goal]["measured"]
+        assert len(others.split("; ")) == 5 and best not in re.split(r" [\d.]+(?:; |$)", others)
+    assert ways.BOUNDING_FIXED in str(rows["P5"]["note"])
+    techniques = list(frame_rows)
+    names = list(po.techniques())
+    assert techniques[: len(names)] == names
+    assert techniques[len(names) :] == [ways.BOUNDING_FIXED, frames.ALONG_STRANDS, frames.LINEAR]
     plain = found["frames"][techniques.index("unshadowed")]
     assert plain["everything"] == plain["camera moves"] == 1.0
 
 
+@pytest.mark.gl
+@pytest.mark.parametrize("technique", ["unshadowed", "bounding_opacity_maps", "exact"])
+def test_a_frame_of_moving_casters_is_done_anew(technique: str) -> None:
+    """Uploads too: the report gives the casters as what moved. The picture stays the same."""
+    scene = Run(TINY).hair(300)
+    touch = frames.touching(scene)
+    with po.Renderer(scene, technique=technique, size=(16, 12), map_size=32) as renderer:
+        picture = renderer.render()
+        first = {row.name: row.status for row in renderer.report}
+        renderer.render()
+        assert "ran" not in {row.status for row in renderer.report}
+        touch()
+        assert np.array_equal(renderer.render(), picture)
+        assert {row.name: row.status for row in renderer.report} == first
+
+
 def test_rows_are_complete_and_hold_no_nan(tables: dict[str, Table]) -> None:
     names = {table.name for table in tables.values()}
-    assert names == {"goals", "errors", "scaling", "passes", "memory", "peers"}
+    assert names == {
+        *("goals", "errors", "frames", "scaling", "passes", "memory", "calls", "peers"),
+    }
+    for name in ("frames", "calls"):  # without OpenGL, and without calls in the plan
+        assert all(str(row["note"]).startswith("not measured: ") for row in tables[name].rows)
     for table in tables.values():
         assert table.rows and table.note and table.title
         for row in table.rows:
@@ -205,6 +296,19 @@ def test_a_front_is_of_rows_that_nothing_beats(tables: dict[str, Table]) -> None
                 for r in rows
             )
             assert not (row["front"] and beaten)
+
+
+def test_the_plot_has_every_row_and_joins_the_front_of_the_table(tables: dict[str, Table]) -> None:
+    errors = tables["errors"]
+    for scene, svg in zip(TINY.scenes, errors.plots.values(), strict=True):
+        rows = [row for row in errors.rows if row["scene"] == scene]
+        assert svg.count("<title>") == len(rows)
+        kinds = {str(row["of"]) for row in rows}
+        assert all(f">{kind}</text>" in svg for kind in kinds)
+        assert (len(kinds), "<path" in svg) in {(1, False), (4, True)}  # shapes are of the others
+        joined = re.search(r'<polyline points="([^"]*)" class="front"', svg)
+        on_front = sum(row["front"] is True for row in rows)
+        assert (len(joined[1].split()) if joined else 1) == on_front
 
 
 def test_passes_add_up(tables: dict[str, Table]) -> None:
@@ -255,88 +359,6 @@ def test_the_page_needs_nothing_else(tables: dict[str, Table], folder: pathlib.P
     assert page.count("<caption>") == len(tables)
     shown = re.sub(r"<[^>]+>", " ", page)
     assert not re.search(r"\bnan\b", shown)
-
-
-# ---- the command ----
-
-
-@pytest.fixture
-def bench(python: Shell) -> Shell:
-    def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-        return python("-m", "pyopacity", "bench", *arguments, **environment)
-
-    return run
-
-
-def test_without_opengl_it_says_what_it_leaves_out(bench: Shell, tmp_path: pathlib.Path) -> None:
-    output = tmp_path / "out"
-    flags = ("--quick", "--only", "P2,P4", "--device", "cpu", "--json")
-    result = bench("-o", str(output), *flags, OPACITY_LIBEGL="/nonexistent/libEGL.so.1")
-    assert (result.returncode, result.stderr) == (0, ""), result.stderr
-    document = json.loads(result.stdout)
-    rows = document["tables"]["goals"]["rows"]
-    assert [row["goal"] for row in rows] == ["P2", "P4"]
-    assert "OpenGL" in rows[0]["note"] and rows[1]["measured"] > 0.0
-    assert document["machine"]["renderer"] == "none"
-    words = shlex.split(document["command"])
-    assert words == ["pyopacity", "bench", "--device=cpu", "--only=P2,P4", "--quick"]
-    assert {path.name for path in output.iterdir()} == {"goals.csv", "results.json", "index.html"}
-
-
-def test_a_file_takes_the_place_of_generated_scenes(bench: Shell, tmp_path: pathlib.Path) -> None:
-    flags = ("--quick", "--only", "errors", "--device", "cpu", "--map-size", "16", "--layers", "2")
-    result = bench(HAIR, "-o", str(tmp_path), *flags, "--opacity", "0", "--json")
-    assert result.returncode == 0, result.stderr
-    rows = json.loads(result.stdout)["tables"]["errors"]["rows"]
-    assert {(row["scene"], row["map"]) for row in rows} == {(HAIR, 16)}
-    # Hair that lets everything through: the solid head alone casts, and nobody tells techniques
-    # apart.
-    layered = [row["total error"] for row in rows if "layers 2" in row["technique"]]
-    assert len(layered) > 3 and np.ptp(layered) < 1e-6
-
-
-@pytest.mark.parametrize(
-    ("arguments", "named"),
-    [
-        ((), "--output"),
-        (("-o", "no/such/folder/out"), "folder"),
-        (("-o", "out", "--only", "P12"), "P12"),
-        (("-o", "out", "--only", "erorrs"), '"errors"'),
-        (("-o", "out", "--scenes", "hare"), '"hair"'),
-        (("-o", "out", "--device", "tpu"), "--device"),
-        (("-o", "out", "--map-size", "99999"), "1..16384"),
-        (("-o", "out", "--layers", "4000"), "1..64"),
-        (("-o", "out", "--opacity", ".3"), "--opacity"),
-        (("nothing.hair", "-o", "out", "--scenes", "hair"), "--scenes"),
-        (("nothing.hair", "-o", "out", "--device", "cpu"), "nothing.hair"),
-    ],
-)
-def test_bad_usage_is_one_line_and_leaves_nothing(
-    bench: Shell,
-    tmp_path: pathlib.Path,
-    monkeypatch: pytest.MonkeyPatch,
-    arguments: Sequence[str],
-    named: str,
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    result = bench(*arguments)
-    assert (result.returncode, result.stdout) == (2, ""), result.stderr
-    assert len(result.stderr.splitlines()) == 1 and "; fix: " in result.stderr
-    assert named in result.stderr
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_ctrl_c_keeps_whole_tables_and_no_half_file(python: Shell, tmp_path: pathlib.Path) -> None:
-    output = tmp_path / "out"
-    arguments = ("bench", "-o", str(output), "--quick", "--device", "cpu", "--only", "costs")
-    result = python("-c", interrupting.AT_FIRST_PAGE, str(output), *arguments)
-    assert (result.returncode, result.stderr) == (130, "")
-    assert not list(output.rglob("*.part"))
-    tables = json.loads((output / "results.json").read_text("utf-8"))["tables"]
-    assert len(tables["passes"]["rows"]) > 0
-    assert len({row["technique"] for row in tables["passes"]["rows"]}) < len(po.techniques())
-    assert all((output / f"{name}.csv").exists() for name in tables)
-    assert (output / "index.html").read_text("utf-8").endswith("</html>\n")
 
 
 def test_every_section_has_a_name_to_ask_for_it() -> None:

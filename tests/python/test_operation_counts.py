@@ -1,12 +1,14 @@
 """What a frame does, counted: on any machine the same, so that no change costs more unseen.
 
-Passes that ran, draw calls and dispatches, fragments that casters leave in a map, bytes that passes
-write. Never a time: benchmarks measure those (docs/performance.md). Where a number here has to
-rise, the change that raises it says what for.
+Passes that ran, draw calls and dispatches, fragments that casters leave in a map, bytes that maps
+hold, and bytes that passes write. Never a time: benchmarks measure those (docs/performance.md).
+Where a number here has to rise, the change that raises it says what for.
 """
 
 from __future__ import annotations
 
+import collections
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -50,6 +52,14 @@ def calls(renderer: po.Renderer) -> int:
 def held(renderer: po.Renderer) -> dict[str, int]:
     """Bytes by name."""
     return {row.name: row.bytes for row in renderer.memory()}
+
+
+def written(renderer: po.Renderer) -> dict[str, int]:
+    """Bytes of what passes that ran wrote, by name: all of an output, for each pass that writes."""
+    did, bytes_of = ran(renderer), held(renderer)
+    outputs = re.findall(r'"pass ([^"]+)" -> "([^"]+)"', renderer.graph_dot())
+    times = collections.Counter(out for by, out in outputs if by in did and out in bytes_of)
+    return {name: count * bytes_of[name] for name, count in times.items()}
 
 
 # ---- passes, draw calls and dispatches ----
@@ -204,10 +214,16 @@ def test_layers_are_four_bytes_each(layers: int, scene: po.Scene, small: dict[st
     with po.Renderer(scene, technique=linear, **small) as renderer:
         renderer.transmittance(ANY_POINT)
         bytes_of = held(renderer)
+        assert written(renderer) == bytes_of
+        scene.shapes[0].opacity = 0.1
+        renderer.transmittance(ANY_POINT)
+        once_more = written(renderer)
     assert bytes_of.pop(f"{MAPS}/opacity") == 4 * layers * TEXELS
     depths = (f"{MAPS}/start", f"{MAPS}/end", "opaque_depth", "opaque_moved")
     assert [bytes_of.pop(name) for name in depths] == [4 * TEXELS] * 4
     assert set(bytes_of) == {"query", "transmittance"}  # what is asked, and the answer
+    # Another opacity moves no bound.
+    assert once_more == {f"{MAPS}/opacity": 4 * layers * TEXELS, **bytes_of}
 
 
 @pytest.mark.parametrize("device", ["cpu", pytest.param("gpu", marks=pytest.mark.gl)])
@@ -221,9 +237,25 @@ def test_lists_hold_sixteen_bytes_a_fragment(device: str, sheet: Callable[..., p
     assert 16 * entries <= room <= 1.1 * 16 * entries  # whole rows
 
 
-def test_a_cached_map_writes_nothing(scene: po.Scene) -> None:
-    """The map of a question is that of the next one: same bits, no pass."""
-    with po.Renderer(scene, device="cpu", map_size=64, technique="exact") as renderer:
+@pytest.mark.gl
+def test_a_camera_that_moves_writes_the_picture_alone(renderer: po.Renderer) -> None:
+    renderer.render()
+    everything = written(renderer)
+    assert f"{MAPS}/opacity" in everything
+    renderer.camera = po.Camera.look_at((2, -3, 1), (0, 0, 0.4))
+    renderer.render()
+    pixels, least, most = 48 * 32, 4, 4 * 4 + 4  # one to four channels and a depth, of 4 bytes
+    again = written(renderer)
+    assert not [name for name in again if name.startswith((MAPS, "opaque_"))]
+    assert least * pixels <= sum(again.values()) <= most * pixels
+
+
+@pytest.mark.parametrize("device", ["cpu", pytest.param("gpu", marks=pytest.mark.gl)])
+def test_a_cached_map_writes_nothing(device: str, scene: po.Scene) -> None:
+    """The map of a question is that of the next one: same bits, and the answer alone is written."""
+    with po.Renderer(scene, device=device, map_size=64, technique="exact") as renderer:
         renderer.transmittance(ANY_POINT)
+        assert sum(written(renderer).values()) > 16 * TEXELS
         renderer.transmittance(np.ones((1, 3)))
         assert ran(renderer) == ["transmittance"]
+        assert sum(written(renderer).values()) < 100

@@ -1,8 +1,9 @@
 """What a call from Python costs beside the same frame in C++.
 
-The programme in call_overhead/ is built against the installed package, and does what this module
-does: T at points, T at a shape and a picture, each into an array that is there; unchanged, then
-everything anew.
+Two programmes in call_overhead/ do the same, one built against the installed package, one in
+Python: T at points, T at a shape and a picture, each into an array that is there; unchanged, then
+everything anew. Each turn is a process of its own in both: one that has freed large blocks before,
+as a long benchmark has, keeps its pages and is up to a fifth faster, in either language.
 """
 
 from __future__ import annotations
@@ -10,49 +11,51 @@ from __future__ import annotations
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
-from collections.abc import Callable, Iterator
-
-import numpy as np
+from collections.abc import Iterator
 
 from pyopacity._cmake import cmake_dir
-from pyopacity.benchmark.clock import WHOLE, Parts, Turns, seconds_of
-from pyopacity.benchmark.run import Run, hair_of, strands_of
+from pyopacity.benchmark.clock import Parts, Turns
+from pyopacity.benchmark.run import Run, hair_of
 from pyopacity.benchmark.table import Row, Table
 from pyopacity.errors import Error
-from pyopacity.renderer import Renderer
 
 ANEW = ("shape_anew", "picture_anew")
-_CPP, _PYTHON = "C++", "Python"
-_TURNS = 5
-_SIDE = 64  # of the picture, pixels
-_WARM_UP = 2
+CPP, PYTHON = "C++", "Python"
+_MODULE = "pyopacity.benchmark.call_overhead"
 _SOURCE = pathlib.Path(__file__).parent / "call_overhead"
-_NOTE = """The same frames from C++ and from Python, in turns; medians of each turn's median,
-microseconds. Unchanged: what was asked before; anew: with every pass."""
+_NOTE = """The same frames from C++ and from Python, in turns, each turn a fresh process that loads
+the scene, warms up and times frames into an array that is there; medians of each turn's median,
+microseconds. points: T at so many points. shape: T at the strands' own. picture: 64 x 64 pixels.
+These are unchanged, what was asked before; anew: with every pass."""
 
 
 def measure(run: Run) -> Iterator[Table]:
-    """A row for each kind of frame; none where the programme cannot be built."""
-    if missing(run) is None:
+    """A row for each kind of frame; or the reason why there are none."""
+    scene = hair_of(run.plan.goals.call_segments)
+    rows: list[Row]
+    if (why := missing(run)) is not None:
+        rows = [{"scene": scene, "note": f"not measured: {why}"}]
+    else:
         turns = run.once(turns_of)
-        rows: list[Row] = [
+        rows = [
             {
-                "scene": hair_of(run.plan.goals.call_segments),
+                "scene": scene,
                 "frame": frame,
-                "C++, us": turns.median(_CPP, frame),
-                "Python, us": turns.median(_PYTHON, frame),
+                "C++, us": turns.median(CPP, frame),
+                "Python, us": turns.median(PYTHON, frame),
                 "ratio": ratio(turns, frame),
                 "rounds": turns.rounds,
             }
-            for frame in turns.parts(_PYTHON)
+            for frame in turns.parts(PYTHON)
         ]
-        yield Table("calls", "Calls from Python", _NOTE, rows)
+    yield Table("calls", "Calls from Python", _NOTE, rows)
 
 
 def ratio(turns: Turns, frame: str) -> float:
     """Python over C++."""
-    return turns.ratio(_PYTHON, _CPP, frame)
+    return turns.ratio(PYTHON, CPP, frame)
 
 
 def missing(run: Run) -> str | None:
@@ -68,66 +71,42 @@ def missing(run: Run) -> str | None:
 def turns_of(run: Run) -> Turns:
     """Microseconds of each frame, in either language."""
     run.tell("calls from Python and in C++")
+    goals = run.plan.goals
+    sizes = run.plan.device, str(goals.call_segments), str(goals.call_repeats)
     with tempfile.TemporaryDirectory() as folder:
         program = _built(folder)
-        rounds: dict[str, list[Parts]] = {_PYTHON: [], _CPP: []}
-        for _ in range(_TURNS):
-            rounds[_PYTHON].append(_in_python(run))
-            rounds[_CPP].append(_in_cpp(run, program))
-    return Turns(rounds)
+        return run.plan.clock.in_turns(
+            {
+                PYTHON: lambda: _times(sys.executable, "-m", _MODULE, *sizes),
+                CPP: lambda: _times(program, *sizes),
+            }
+        )
 
 
-def _built(folder: str) -> pathlib.Path:
+def _built(folder: str) -> str:
     configure = ["cmake", "-S", str(_SOURCE), "-B", folder, f"-Dopacity_DIR={cmake_dir()}"]
     for command in ([*configure, "-DCMAKE_BUILD_TYPE=Release"], ["cmake", "--build", folder]):
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise Error(
-                f"{_SOURCE.name} cannot be built: {done.stderr.strip()[-400:]}",
-                "see that a C++20 compiler is there, or leave this out: --only",
-            )
-    return pathlib.Path(folder) / "call_overhead"
+        _output(*command)
+    return str(pathlib.Path(folder) / _SOURCE.name)
 
 
-def _in_cpp(run: Run, program: pathlib.Path) -> Parts:
-    goals = run.plan.goals
-    command = [program, run.plan.device, str(goals.call_segments), str(goals.call_repeats)]
-    lines = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split("\n")
-    return {name: float(us) for name, us in (line.split() for line in lines if line)}
+def _times(*command: str) -> Parts:
+    """What a programme printed: a frame and its microseconds a line."""
+    lines = _output(*command).splitlines()
+    return {frame: float(us) for frame, us in (line.split() for line in lines)}
 
 
-def _in_python(run: Run) -> Parts:
-    goals, device = run.plan.goals, run.plan.device
-    scene = run.hair(goals.call_segments)
-    hair, repeats = strands_of(scene), goals.call_repeats
-    points = np.asarray(hair.points, np.float32)
-    t, image = np.empty(len(points), np.float32), np.empty((_SIDE, _SIDE, 4), np.float32)
-    few = max(repeats // 30, 9)
-    with Renderer(scene, size=(_SIDE, _SIDE), device=device) as renderer:
+def _output(*command: str) -> str:
+    """What a command printed.
 
-        def anew(work: Callable[[], object]) -> Callable[[], object]:
-            def forget_and_work() -> None:
-                renderer.invalidate()
-                work()
-
-            return forget_and_work
-
-        def ask() -> object:
-            return renderer.transmittance(hair, out=t)
-
-        times = {
-            "points": _median_us(repeats, lambda: renderer.transmittance(points, out=t)),
-            "shape": _median_us(repeats, ask),
-            "shape_anew": _median_us(few, anew(ask)),
-        }
-        if device == "gpu":
-            times["picture"] = _median_us(repeats, lambda: renderer.render(out=image))
-            times["picture_anew"] = _median_us(few, anew(lambda: renderer.render(out=image)))
-    return times
-
-
-def _median_us(repeats: int, work: Callable[[], object]) -> float:
-    for _ in range(_WARM_UP):
-        work()
-    turns = Turns({"": [{WHOLE: 1e6 * seconds_of(work)} for _ in range(repeats)]})
-    return turns.median("")
+    Raises:
+        Error: it failed; with the last that it said.
+    """
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        said = done.stderr.strip().splitlines() or [f"it ended with {done.returncode}"]
+        raise Error(
+            f"calls cannot be measured: {pathlib.Path(command[0]).name}: {said[-1].strip()}",
+            "see that the device and a C++20 compiler are there, or leave this out: --only",
+        )
+    return done.stdout

@@ -39,6 +39,15 @@ class Turns:
         """Of all rounds."""
         return statistics.median(self.values(name, part))
 
+    def summed(self, wanted: Callable[[str], bool]) -> Turns:
+        """Of each round the parts of these names alone, as the whole; 0 where there are none."""
+        return Turns(
+            {
+                name: [{WHOLE: sum(t for part, t in one.items() if wanted(part))} for one in rounds]
+                for name, rounds in self._rounds.items()
+            }
+        )
+
     def parts(self, name: str) -> list[str]:
         """In the order in which they came."""
         return list(dict.fromkeys(part for parts in self._rounds[name] for part in parts))
@@ -55,15 +64,15 @@ class Clock:
     """How often things take turns.
 
     Attributes:
-        rounds: as many, if there is time.
-        seconds: after which the round is the last one.
+        rounds: as many, unless they are slow.
+        slow_s: seconds that a round takes on average, from which on there are only ``least``.
         least: as many in any case.
         warm_up: rounds before, that do not count: programs are compiled in them.
     """
 
     rounds: int = 9
-    seconds: float = 60.0
-    least: int = 3
+    slow_s: float = 20.0
+    least: int = 5
     warm_up: int = 1
 
     def in_turns(self, works: Mapping[str, Callable[[], Parts]]) -> Turns:
@@ -74,7 +83,7 @@ class Clock:
                 work()
         start = time.perf_counter()
         for done in range(self.rounds):
-            if done >= self.least and time.perf_counter() - start > self.seconds:
+            if done >= self.least and time.perf_counter() - start >= self.slow_s * done:
                 break
             for name, work in works.items():
                 found[name].append(work())

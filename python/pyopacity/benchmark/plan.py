@@ -108,7 +108,7 @@ QUICK = Plan(
     scaled_layers=(4, 16),
     scaled_lights=(1, 2),
     brute_force_segments=1_000,
-    clock=Clock(rounds=5, seconds=3.0, least=3),
+    clock=Clock(rounds=5, slow_s=0.6, least=3),
     goals=GoalSizes(
         segments=(15_000,),
         deposit_segments=50_000,

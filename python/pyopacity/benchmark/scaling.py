@@ -60,7 +60,7 @@ def _turns(run: Run, sizes: Sequence[int], make: Make, variant: Variant) -> Turn
 def _variants(run: Run, has_layers: bool) -> dict[str, Variant]:
     """Ours with a split that is fixed, and searched, and adaptive; and the exact lists."""
     found = {
-        f"{ways.BOUNDING}, fixed split": Variant(ways.BOUNDING, dict(ways.FIXED_SPLIT)),
+        ways.BOUNDING_FIXED: Variant(ways.BOUNDING, dict(ways.FIXED_SPLIT)),
         ways.BOUNDING: Variant(ways.BOUNDING, {}),
         ways.ADAPTIVE: Variant(ways.ADAPTIVE, {}),
     }

@@ -15,6 +15,7 @@ from pyopacity.technique import EXACT, technique
 BOUNDING = "bounding_opacity_maps"
 ADAPTIVE = "adaptive_opacity_maps"
 FIXED_SPLIT: dict[str, Any] = {"split": "hybrid"}
+BOUNDING_FIXED = f"{BOUNDING}, fixed split"
 
 # Of the engine, those that none of the four papers describes as they are by default here.
 OURS = (ADAPTIVE, BOUNDING, EXACT)

@@ -9,6 +9,13 @@ from pyopacity import _native, benchmark, comparison
 from pyopacity.benchmark import Plan, Results, Run, Table
 from pyopacity.cli import measure_options, scene_options, text
 
+# Options, and the sections that they change.
+_USED_BY = {
+    "scenes": ("errors",),
+    "map_size": ("errors", "P6", "goals"),
+    "layers": ("errors", "P6", "goals"),
+}
+
 
 def add_to(commands: Any) -> None:
     """The command's options."""
@@ -18,7 +25,8 @@ def add_to(commands: Any) -> None:
         "files",
         nargs="*",
         metavar="FILE",
-        help=f"{text.FILES}; each a scene of its own, in the place of the generated ones",
+        help=f"{text.FILES}; each a scene of its own, in the place of those of time against error; "
+        "the first also of P6, P7, P11, costs and Mitsuba; all else stays on demo:hair",
     )
     measure_options.add_output(add, "index.html, results.json, a .csv for each table, plots")
     add("--quick", action="store_true", help="small scenes: minutes instead of hours")
@@ -30,10 +38,10 @@ def add_to(commands: Any) -> None:
     add(
         "--scenes",
         metavar="NAME,...",
-        help="of the generated scenes those of these names, such as hair,plume (default: all)",
+        help="of the generated scenes of time against error, such as hair,plume (default: all)",
     )
-    add("--map-size", metavar="N,...", help="texels along each side, of time against error")
-    add("--layers", metavar="N,...", help="of techniques that have them, of time against error")
+    add("--map-size", metavar="N,...", help="texels along each side, of time against error and P6")
+    add("--layers", metavar="N,...", help="of techniques that have them, as --map-size")
     measure_options.add_device(add)
     scene_options.add_strands(add)
 
@@ -42,6 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Writes every table as soon as it is there, and prints it at the end."""
     folder = measure_options.folder(arguments.output)
     only = _names("--only", arguments.only, benchmark.SECTIONS)
+    _check_used(arguments, only)
     plan = _plan(arguments)
     plan = plan.on(measure_options.device(arguments))
 
@@ -60,6 +69,17 @@ def run(arguments: argparse.Namespace) -> int:
         _print(table)
     print(folder / "index.html")
     return 0
+
+
+def _check_used(arguments: argparse.Namespace, only: tuple[str, ...]) -> None:
+    """Refuses what changes nothing of the sections that are asked for."""
+    for name, sections in _USED_BY.items():
+        if only and getattr(arguments, name) is not None and not set(only) & set(sections):
+            option = f"--{name.replace('_', '-')}"
+            raise po.ParameterError(
+                f"{option} changes nothing of {', '.join(only)}",
+                f"leave it out, or name what it is of: --only {' or '.join(sections)}",
+            )
 
 
 def _plan(arguments: argparse.Namespace) -> Plan:

@@ -15,6 +15,8 @@ _COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8
 _WIDTH, _HEIGHT = 360, 260
 _LEFT, _RIGHT, _TOP, _BOTTOM = 52, 16, 30, 40
 _LINE_OF_LEGEND = 15
+# Around (0, 0), for kinds of a technique after the first, which has a circle.
+_SHAPES = ("M-3-3H3V3H-3Z", "M0-4L4 3H-4Z", "M0 4L4-3H-4Z")
 _LEAST_ERROR = 1e-4
 # Where an axis spans fewer decades, these parts of one are marked too.
 _FEW_DECADES = 2
@@ -32,13 +34,17 @@ svg .front { fill: none; stroke: currentColor; stroke-dasharray: 4 3; }
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A row of the table: its number there, and what a pointer over it tells."""
+    """A row of the table: its number there, and what a pointer over it tells.
+
+    ``technique`` gives it a colour, ``kind`` a shape: 0 to 3.
+    """
 
     number: int
     label: str
     technique: int
     seconds: float
     error: float
+    kind: int = 0
 
 
 def color_of(index: int) -> str:
@@ -52,7 +58,11 @@ def is_ring(index: int) -> bool:
 
 
 def error_over_time(
-    title: str, points: Sequence[Point], front: Sequence[Point] = (), names: Sequence[str] = ()
+    title: str,
+    points: Sequence[Point],
+    front: Sequence[Point] = (),
+    names: Sequence[str] = (),
+    kinds: Sequence[str] = (),
 ) -> str:
     """Seconds across, the error upward, both logarithmic; errors below .0001 lie on the ground.
 
@@ -61,6 +71,7 @@ def error_over_time(
         points: of a dot each.
         front: those which a dashed line joins.
         names: of the techniques, for a legend below; without any each dot has its number.
+        kinds: what the shapes of dots stand for, for the legend too.
     """
     across = _Axis([p.seconds for p in points], _LEFT, _WIDTH - _RIGHT)
     upward = _Axis([max(p.error, _LEAST_ERROR) for p in points], _HEIGHT - _BOTTOM, _TOP)
@@ -69,12 +80,13 @@ def error_over_time(
         return across.place(p.seconds), upward.place(max(p.error, _LEAST_ERROR))
 
     parts = [*_frame(title, across, upward, " s")]
+    parts += [_dot(*place(p), p, is_numbered=not names) for p in points]
     if len(front) > 1:
         ordered = sorted(front, key=lambda p: p.seconds)
         parts.append(f'<polyline points="{_path(map(place, ordered))}" class="front"/>')
-    parts += [_dot(*place(p), p, is_numbered=not names) for p in points]
-    parts += _legend(names)
-    return _svg(f"{title} over seconds", parts, _HEIGHT + _LINE_OF_LEGEND * len(names))
+    parts += _legend(names, kinds)
+    lines_below = len(names) + len(kinds)
+    return _svg(f"{title} over seconds", parts, _HEIGHT + _LINE_OF_LEGEND * lines_below)
 
 
 def lines(title: str, unit: str, series: Mapping[str, Sequence[tuple[float, float]]]) -> str:
@@ -167,21 +179,26 @@ def _grid(x: float | None, y: float | None, label: str) -> str:
     return f'<line {line} class="grid"/><text {place}>{label}</text>'
 
 
-def _legend(names: Iterable[str]) -> Iterable[str]:
-    """Below the axes, a line each."""
-    for index, name in enumerate(names):
-        y = _HEIGHT + _LINE_OF_LEGEND * index
-        yield f"<circle {_mark(index, _LEFT + 5, y - 4)}/>"
+def _legend(names: Iterable[str], kinds: Iterable[str] = ()) -> Iterable[str]:
+    """Below the axes, a line each: colours, then shapes."""
+    marks = [(name, color_of(index), 0, is_ring(index)) for index, name in enumerate(names)]
+    marks += [(name, "currentColor", kind, True) for kind, name in enumerate(kinds)]
+    for line, (name, color, kind, is_empty) in enumerate(marks):
+        y = _HEIGHT + _LINE_OF_LEGEND * line
+        yield _mark(color, kind, is_empty, _LEFT + 5, y - 4)
         yield f'<text x="{_LEFT + 16}" y="{y}">{html.escape(name)}</text>'
 
 
-def _mark(index: int, x: float, y: float) -> str:
-    color = color_of(index)
-    fill = "none" if is_ring(index) else color
-    return f'cx="{x:.1f}" cy="{y:.1f}" r="4.5" fill="{fill}" stroke="{color}" stroke-width="1.5"'
+def _mark(color: str, kind: int, is_empty: bool, x: float, y: float) -> str:
+    fill = "none" if is_empty else color
+    look = f'fill="{fill}" fill-opacity=".4" stroke="{color}" stroke-width="1.2"'
+    if kind == 0:
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.5" {look}/>'
+    return f'<path d="{_SHAPES[kind - 1]}" transform="translate({x:.1f} {y:.1f})" {look}/>'
 
 
 def _dot(x: float, y: float, point: Point, is_numbered: bool) -> str:
     label = html.escape(f"{point.label}: {point.error:.4f}, {point.seconds:.3g} s")
     number = f'<text x="{x + 8:.1f}" y="{y - 4:.1f}">{point.number}</text>' if is_numbered else ""
-    return f"<g><title>{label}</title><circle {_mark(point.technique, x, y)}/>{number}</g>"
+    mark = _mark(color_of(point.technique), point.kind, is_ring(point.technique), x, y)
+    return f"<g><title>{label}</title>{mark}{number}</g>"

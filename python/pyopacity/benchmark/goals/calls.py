@@ -19,7 +19,8 @@ def look_up(run: Run) -> Iterator[Row]:
     found = run.once(rays.measure)
     maps, traced = found.turns.median(rays.MAPS), found.turns.median(rays.RAYS)
     note = f"{found.backend}: {maps:.3f} / {traced:.2f} s"
-    yield LOOK_UP.measured(maps / traced, found.where, found.turns.rounds, note)
+    ratio = found.turns.ratio(rays.MAPS, rays.RAYS)
+    yield LOOK_UP.measured(ratio, found.where, found.turns.rounds, note)
 
 
 def call(run: Run) -> Iterator[Row]:
@@ -29,6 +30,9 @@ def call(run: Run) -> Iterator[Row]:
         yield CALL.not_measured(where, missing)
         return
     turns = run.once(calls.turns_of)
-    for frame in turns.parts("Python"):
+    for frame in turns.parts(calls.PYTHON):
         if frame in calls.ANEW:
-            yield CALL.measured(calls.ratio(turns, frame), f"{where}, {frame}", turns.rounds)
+            theirs, ours = (turns.median(of, frame) for of in (calls.CPP, calls.PYTHON))
+            note = f"{ours / 1000.0:.3g} / {theirs / 1000.0:.3g} ms, each turn in a fresh process"
+            ratio = calls.ratio(turns, frame)
+            yield CALL.measured(ratio, f"{where}, {frame}", turns.rounds, note)

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from typing import Any
 
 from pyopacity.benchmark import ways
-from pyopacity.benchmark.clock import WHOLE, Turns, all_maps
+from pyopacity.benchmark.clock import Turns, all_maps
 from pyopacity.benchmark.goals.goal import Goal
 from pyopacity.benchmark.run import Run, hair_of
 from pyopacity.benchmark.table import Row
@@ -44,9 +44,8 @@ def scattered(run: Run) -> Iterator[Row]:
                 for way in ("scatter", "blend")
             },
         )
-        over, under = (_part(turns, way, _LAYER_PASSES) for way in ("scatter", "blend"))
-        note = f"{interpolation}; {1000.0 * over:.0f} / {1000.0 * under:.0f} ms"
-        yield LAYERS.measured(over / under, where, turns.rounds, note)
+        of = LAYERS, turns, _LAYER_PASSES
+        yield _row(*of, ("scatter", "blend"), where, interpolation)
 
 
 def bounds(run: Run) -> Iterator[Row]:
@@ -62,12 +61,9 @@ def bounds(run: Run) -> Iterator[Row]:
         cases |= {way: (*case, {**few, "deposit": way}) for way in ("blend", "scatter")}
         cases["two passes"] = (*case, {**few, "bounds": "depth_func", "deposit": "blend"})
     turns = _turns(run, cases)
-    two = _part(turns, "two passes", _BOUNDS_PASSES)
     for way in cases:
         if way != "two passes":
-            one = _part(turns, way, _BOUNDS_PASSES)
-            note = f"{way}; {1000.0 * one:.0f} / {1000.0 * two:.0f} ms"
-            yield BOUNDS.measured(one / two, where, turns.rounds, note)
+            yield _row(BOUNDS, turns, _BOUNDS_PASSES, (way, "two passes"), where, way)
 
 
 def growth(run: Run) -> Iterator[Row]:
@@ -98,12 +94,21 @@ def growth(run: Run) -> Iterator[Row]:
         yield goal.measured(turns.ratio("large", "small"), where, turns.rounds)
 
 
-def _part(turns: Turns, way: str, passes: tuple[str, ...]) -> float:
-    """Median seconds of the passes that start with one of these names."""
-    names = [part for part in turns.parts(way) if part != WHOLE]
-    own = [name for name in names if name.rpartition("/")[2].startswith(passes)]
-    rounds = zip(*(turns.values(way, name) for name in own), strict=True)
-    return sorted(map(sum, rounds))[turns.rounds // 2]
+def _row(
+    goal: Goal,
+    turns: Turns,
+    passes: tuple[str, ...],
+    over_under: tuple[str, str],
+    where: str,
+    note: str,
+) -> Row:
+    """Of two ways, by the time of the passes that start with one of these names."""
+    own = turns.summed(lambda part: part.rpartition("/")[2].startswith(passes))
+    over, under = (1000.0 * own.median(way) for way in over_under)
+    if over == 0.0 or under == 0.0:
+        return goal.not_measured(where, f"{note}: a map has none of the passes {', '.join(passes)}")
+    told = f"{note}; {over:.0f} / {under:.0f} ms"
+    return goal.measured(own.ratio(*over_under), where, turns.rounds, told)
 
 
 def _turns(run: Run, cases: Mapping[str, Case]) -> Turns:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 from pyopacity import metrics
 from pyopacity.benchmark import time_against_error, ways
-from pyopacity.benchmark.goals.goal import Goal
+from pyopacity.benchmark.goals.goal import Goal, quotient
 from pyopacity.benchmark.run import Run
 from pyopacity.benchmark.table import Row
 from pyopacity.benchmark.time_against_error import ENGINE, FIXED_SPLIT, PAPERS, PUBLISHED
@@ -29,37 +28,55 @@ _RECEIVERS, _SEED = 20_000, 0
 def total(run: Run) -> Iterator[Row]:
     """Both parts of P6."""
     rows = run.once(time_against_error.rows_of, run.plan.hair)
-    measured = [row for row in rows if row["seconds"] is not None]
+    plan = run.plan
+    where = f"{plan.hair}, maps {_list(plan.map_sizes)}, layers {_list(plan.layers)}, {plan.device}"
     ours = [
         row
-        for row in measured
+        for row in rows
         if row["of"] in (ENGINE, FIXED_SPLIT)
         and str(row["technique"]).partition(",")[0] in ways.OURS
     ]
-    papers = [row for row in measured if row["of"] == PAPERS]
-    published = [row for row in measured if row["of"] == PUBLISHED]
-    plan = run.plan
-    where = f"{plan.hair}, maps {_list(plan.map_sizes)}, layers {_list(plan.layers)}, {plan.device}"
-    rounds = min(int(row["rounds"] or 0) for row in measured)
-
-    fast, theirs = _fastest(ours), _fastest(papers)
-    if fast is None or theirs is None:
-        least = _least(ours if fast is None else papers)
-        whom = "ours" if fast is None else "theirs"
-        why = f"none of {whom} errs by {TOTAL_ERROR} or less: {_told(least)}"
-        yield TIME.not_measured(where, why)
-    else:
-        note = f"{_told(fast)}; {_told(theirs)}"
-        yield TIME.measured(_of(fast, "seconds") / _of(theirs, "seconds"), where, rounds, note)
-    best, worst = _least(ours), _least(published)
-    note = f"{_told(best)}; {_told(worst)}"
-    yield ERROR.measured(_of(best, "total error") / _of(worst, "total error"), where, 1, note)
+    yield _time(where, ours, [row for row in rows if row["of"] == PAPERS])
+    yield _least_error(where, ours, [row for row in rows if row["of"] == PUBLISHED])
 
 
-def _fastest(rows: Sequence[Row]) -> Row | None:
-    """Of those that err little enough."""
-    good = [row for row in rows if _of(row, "total error") <= TOTAL_ERROR]
-    return min(good, key=lambda row: _of(row, "seconds"), default=None)
+def _time(where: str, ours: Sequence[Row], theirs: Sequence[Row]) -> Row:
+    """Of the fastest that err little enough."""
+    fastest = []
+    for whose, rows in (("ours", ours), ("theirs", theirs)):
+        if not (measured := _measured(rows)):
+            return TIME.not_measured(where, _none(whose, rows))
+        good = [row for row in measured if _of(row, "total error") <= TOTAL_ERROR]
+        if not good:
+            least = _told(_least(measured))
+            why = f"none of {whose} errs by {TOTAL_ERROR} or less: {least}"
+            return TIME.not_measured(where, why)
+        fastest.append(min(good, key=lambda row: _of(row, "seconds")))
+    rounds = min(int(row["rounds"] or 0) for row in fastest)
+    own, other = fastest
+    ratio = quotient(_of(own, "seconds"), _of(other, "seconds"))
+    return TIME.measured(ratio, where, rounds, f"{_told(own)}; {_told(other)}")
+
+
+def _least_error(where: str, ours: Sequence[Row], theirs: Sequence[Row]) -> Row:
+    """Of the least that either errs by, however long it takes."""
+    least = []
+    for whose, rows in (("ours", ours), ("theirs", theirs)):
+        if not (measured := _measured(rows)):
+            return ERROR.not_measured(where, _none(whose, rows))
+        least.append(_least(measured))
+    own, other = least
+    ratio = quotient(_of(own, "total error"), _of(other, "total error"))
+    return ERROR.measured(ratio, where, 1, f"{_told(own)}; {_told(other)}")
+
+
+def _measured(rows: Sequence[Row]) -> list[Row]:
+    return [row for row in rows if row["seconds"] is not None]
+
+
+def _none(whose: str, rows: Sequence[Row]) -> str:
+    notes = dict.fromkeys(str(row["note"]) for row in rows)
+    return f"none of {whose} could be measured: {'; '.join(notes)}"
 
 
 def _least(rows: Sequence[Row]) -> Row:
@@ -108,8 +125,7 @@ def depth(run: Run) -> Iterator[Row]:
                 best = min(theirs, key=theirs.__getitem__)
                 where = f"{plan.hair}, map {map_size}, {layers} layers of ours, {count} of theirs"
                 note = f"{ours:.4f} / {theirs[best]:.4f} of {best}"
-                ratio = ours / theirs[best] if theirs[best] > 0.0 else math.nan
-                yield goal.measured(ratio, where, 1, note)
+                yield goal.measured(quotient(ours, theirs[best]), where, 1, note)
 
 
 def _error(

@@ -8,6 +8,11 @@ from dataclasses import dataclass
 from pyopacity.benchmark.table import Row
 
 
+def quotient(over: float, under: float) -> float:
+    """Not a number where there is nothing to divide by."""
+    return over / under if under > 0.0 else math.nan
+
+
 @dataclass(frozen=True, slots=True)
 class Goal:
     """A ratio that is to be reached.
@@ -23,9 +28,13 @@ class Goal:
     most: float
 
     def measured(self, ratio: float, where: str, rounds: int = 1, note: str = "") -> Row:
-        """A row: what was found, on which scene and maps, and how often."""
+        """A row: what was found, on which scene and maps, and how often.
+
+        A ratio that is not a number, as :func:`quotient` has it, makes one that was not measured.
+        """
         if math.isnan(ratio):
-            return self.not_measured(where, note or "there was nothing to divide by")
+            why = "there is nothing to divide by"
+            return self.not_measured(where, f"{why}: {note}" if note else why)
         return self._row(ratio, ratio <= self.most, where, rounds, note)
 
     def not_measured(self, where: str, why: str) -> Row:

@@ -22,7 +22,8 @@ def picture(run: Run) -> Iterator[Row]:
     found = run.once(mitsuba.measure)
     ours, theirs = (found.turns.median(who) for who in (mitsuba.OURS, mitsuba.THEIRS))
     note = f"{ours:.3f} / {theirs:.2f} s"
-    yield TIME.measured(ours / theirs, found.where, found.turns.rounds, note)
+    ratio = found.turns.ratio(mitsuba.OURS, mitsuba.THEIRS)
+    yield TIME.measured(ratio, found.where, found.turns.rounds, note)
     note = (
         f"of the pixels with strands alone {text_of(found.on_strands)}; "
         f"Mitsuba's own with fewer samples {found.noise:.4f}"

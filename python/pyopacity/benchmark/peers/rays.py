@@ -8,15 +8,12 @@ import numpy as np
 import numpy.typing as npt
 
 from pyopacity import metrics
-from pyopacity.benchmark.clock import Parts, Turns, timed
+from pyopacity.benchmark.clock import Turns, timed
 from pyopacity.benchmark.run import Run, hair_of, strands_of
 from pyopacity.look_up import transmittance
 from pyopacity.trace import trace_backends, trace_transmittance
 
 MAPS, RAYS = "maps", "rays"
-# Rays take so much longer that maps may have several turns to one of theirs.
-_LOOK_UPS_A_TRACE = 3
-_MOST_TRACES = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,15 +49,11 @@ def measure(run: Run) -> Rays:
         found[RAYS] = trace_transmittance(scene, hair, footprint=0.0)
 
     run.tell(f"rays from every vertex of {hair_of(goals.look_up_segments)}")
-    rounds: dict[str, list[Parts]] = {MAPS: [], RAYS: []}
-    for _ in range(min(run.plan.clock.rounds, _MOST_TRACES)):
-        for _ in range(_LOOK_UPS_A_TRACE):
-            rounds[MAPS].append(timed(look_up)())
-        rounds[RAYS].append(timed(trace)())
+    turns = run.plan.clock.in_turns({MAPS: timed(look_up), RAYS: timed(trace)})
     return Rays(
         where=f"{hair_of(goals.look_up_segments)}, map {goals.map_size}, without OpenGL",
         backend=trace_backends()[0],
         vertices=len(hair.points),
-        turns=Turns(rounds),
+        turns=turns,
         difference=metrics.rmse(found[MAPS], found[RAYS]),
     )

@@ -91,7 +91,7 @@ def _row(
         row |= {
             "peer, s": seconds[0],
             "ours, s": seconds[1],
-            "peer / ours": seconds[0] / seconds[1],
+            "peer / ours": turns.ratio(theirs, own),
             "rounds": turns.rounds,
         }
     return row | {"difference, RMSE": difference, "note": note and f"not measured: {note}"}
