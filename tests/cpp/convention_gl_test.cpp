@@ -90,6 +90,7 @@ Row coverage_row(const std::optional<Coverage>& c) {
 
 harness::Shader coverage_shader(const std::string& call) {
     return {"#include \"lib/ribbon.glsl\"\n", 10, 5,
+            "MajorSegment s = major_segment(given3(0), given3(3));\n"
             "Coverage c;\n"
             "bool covered = " +
                 call +
@@ -152,10 +153,7 @@ TEST_CASE("opacity to optical depth is the same in GLSL and C++, relative to its
 TEST_CASE("ribbon coverage is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
-    Evaluator evaluator{
-        context,
-        coverage_shader(
-            "ribbon_coverage(major_segment(given3(0), given3(3)), given2(6), given2(8), c)")};
+    Evaluator evaluator{context, coverage_shader("ribbon_coverage(s, given2(6), given2(8), c)")};
     const Table given = segment_rows(4000), found = evaluator(given);
     check_agreement(given, found, [](const Row& row) {
         const MajorSegment s = segment_of(row);
@@ -169,9 +167,7 @@ TEST_CASE("ribbon coverage is the same in GLSL and C++") {
 TEST_CASE("line coverage is the same in GLSL and C++") {
     const auto context = context_or_skip();
     if (!context) return;
-    Evaluator evaluator{
-        context,
-        coverage_shader("line_coverage(major_segment(given3(0), given3(3)), given2(8), c)")};
+    Evaluator evaluator{context, coverage_shader("line_coverage(s, given2(8), c)")};
     const Table given = segment_rows(4000), found = evaluator(given);
     check_agreement(given, found, [](const Row& row) {
         const MajorSegment s = segment_of(row);
