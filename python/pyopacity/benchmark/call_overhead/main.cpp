@@ -1,6 +1,6 @@
-// call_overhead DEVICE SEGMENTS REPEATS: prints microseconds, medians, as ../calls.py
-// measures them: T at points, T at a shape, and, with DEVICE gpu, a picture; unchanged, then
-// everything anew.
+// call_overhead DEVICE SEGMENTS REPEATS: prints microseconds, medians, as __main__.py beside it
+// does: T at points, T at a shape, and, with DEVICE gpu, a picture; unchanged, then everything
+// anew.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
