@@ -27,7 +27,7 @@ def add_to(commands: Any) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="a row or a case of docs/accuracy.md, or a pattern of them; again for more",
+        help="a row or a case of docs/stress.md, or a pattern of them; again for more",
     )
     add(
         "--device",

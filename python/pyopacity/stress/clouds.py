@@ -118,6 +118,7 @@ def texels_beyond(bench: Bench) -> Iterator[Finding]:
     tolerance=1.0,
     of="z, by the bound",
     is_slow=True,
+    why_tolerance="Sidak's bound of as many tests at .001",
 )
 def largest_z(bench: Bench) -> Iterator[Finding]:
     """Texels are independent, so that all stay below the quantile of (1 - .001)^(1/M) together in
@@ -138,6 +139,7 @@ def largest_z(bench: Bench) -> Iterator[Finding]:
     tolerance=1.0,
     of="z, by the bound",
     is_slow=True,
+    why_tolerance="the bounds of two tests at .0005 each",
 )
 def spread_of_z(bench: Bench) -> Iterator[Finding]:
     """Too even is as wrong as too uneven. Wilson and Hilferty's cube root makes chi squared
@@ -159,9 +161,11 @@ def spread_of_z(bench: Bench) -> Iterator[Finding]:
     "Beer-Lambert",
     input="the same: what each texel holds, counted",
     right="a whole number of spheres",
-    tolerance=5e-3,
+    tolerance=1e-4,
     of="spheres",
     is_slow=True,
+    why_tolerance="25 terms of .05 each round by 2^-24 of a sum of 1.25 at most, 2e-6: 4e-5 "
+    "spheres",
 )
 def whole_counts(bench: Bench) -> Iterator[Finding]:
     """A sphere within a texel takes the same from it wherever it lies there. Of the first hundred

@@ -1,7 +1,7 @@
 """What cannot hold for a technique by its nature, and how far from holding it is.
 
 A way that an exception is about is held to the measured size there, not to the case's tolerance.
-docs/accuracy.md lists them.
+docs/stress.md lists them.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def exception_of(case: str, way: str) -> NamedException | None:
 
 
 def table() -> str:
-    """What docs/accuracy.md lists: a row for each."""
+    """What docs/stress.md lists: a row for each."""
     rows = [f"| `{one.case}` | {_ways(one)} | {one.size:g} | {one.why} |" for one in EXCEPTIONS]
     return "\n".join(["| case | of | size | why |", "|---|---|---|---|", *rows]) + "\n"
 

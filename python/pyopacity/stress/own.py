@@ -66,6 +66,7 @@ def first_fragment(bench: Bench) -> Iterator[Finding]:
     right="at most what rays over two texels lose: what lies in front within a texel",
     tolerance=0.01,
     of="T, mean, beyond the rays'",
+    why_tolerance="the rays' own bias over a footprint of two texels (accuracy.md, Own shadow)",
 )
 def own_shadow(bench: Bench) -> Iterator[Finding]:
     """Where a strand runs along the light it has itself in front, within a texel: so has the mean

@@ -46,7 +46,7 @@ _FAMILIES = (
     digests,
     skips,
 )
-# In the order of the table of docs/accuracy.md.
+# In the order of the table of docs/stress.md.
 CASES: tuple[Case, ...] = tuple(
     entry for family in _FAMILIES for entry in vars(family).values() if isinstance(entry, Case)
 )
