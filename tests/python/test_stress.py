@@ -29,6 +29,7 @@ from pyopacity.stress import (
     chosen,
     exceptions,
     judge,
+    series,
 )
 from pyopacity.stress.case import table
 from pyopacity.stress.exceptions import exception_of
@@ -140,6 +141,18 @@ def test_an_exception_is_about_its_own_ways() -> None:
         assert any(case.name == exception.case for case in CASES), exception
         assert exception.size > next(c.tolerance for c in CASES if c.name == exception.case)
     assert exception_of("no such case", f"cpu {ALL[0]}") is None
+
+
+# ---- right answers ----
+
+
+@pytest.mark.parametrize("basis", series.BASES)
+def test_integrals_of_a_basis_are_sums_of_its_functions(basis: str) -> None:
+    """By the midpoint rule between the places where steps jump: 15 x 400 steps from 0 to 1."""
+    steps = 6000
+    middles, ends = (np.arange(steps) + 0.5) / steps, np.arange(1, steps + 1) / steps
+    sums = np.cumsum(series.functions(basis, 15, middles), axis=1) / steps
+    assert np.abs(series.integrals(basis, 15, ends) - sums).max() < 1e-6
 
 
 # ---- verdicts ----

@@ -102,6 +102,7 @@ EXCEPTIONS: tuple[NamedException, ...] = (
     NamedException("permuted", (MOMENTS,), 0.03, _ROUNDING),
     NamedException("scaled", (BOM, AOM, AUTO), 1e-4, _PLANES),
     NamedException("scaled", (MOMENTS,), 1e-3, _ROUNDING),
+    NamedException("instanced", (MOMENTS,), 1e-3, _ROUNDING),
     NamedException("both_devices", (MOMENTS,), 0.05, _OWN_PART, only_on="gpu"),
     NamedException("never_rises", (FOM,), 0.15, "a series rings"),
     NamedException("never_rises", (MOMENTS,), 2e-6, _ROUNDING, only_on="gpu"),
