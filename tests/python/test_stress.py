@@ -1,21 +1,16 @@
 """The stress suite, small: what ``pyopacity stress`` asks, and what its verdicts mean."""
 
-import json
 import math
 import pathlib
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fnmatch import fnmatch
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 import pyopacity as po
-from pyopacity.cli import main
-from pyopacity.cli import stress as command
 from pyopacity.comparison import available_device
 from pyopacity.stress import (
     CASES,
@@ -26,7 +21,6 @@ from pyopacity.stress import (
     NamedException,
     Verdict,
     Way,
-    chance,
     chosen,
     exceptions,
     judge,
@@ -252,9 +246,12 @@ def test_the_worst_answer_decides(errors: tuple[float, ...], verdict: str) -> No
     assert found.verdict == verdict
 
 
-def test_an_error_of_the_engine_fails_the_case() -> None:
+def test_an_error_of_the_engine_fails_the_case_and_names_the_way() -> None:
+    way = Way("cpu", ALL[0])
+
     def find(bench: Bench) -> Iterator[Finding]:
         """It breaks."""
+        bench.T(way, po.Scene(), np.zeros((1, 3)))
         raise po.ShaderError("it broke", "mend it")
         yield
 
@@ -262,6 +259,7 @@ def test_an_error_of_the_engine_fails_the_case() -> None:
     with Bench(["cpu"]) as bench:
         (verdict,) = judge(case, bench)
     assert verdict.verdict == "FAILS" and "it broke" in verdict.worst.got
+    assert verdict.worst.way == way and bench.asked is None
 
 
 def test_names_choose_rows_and_cases() -> None:
@@ -279,84 +277,3 @@ def test_every_way_to_deposit_is_asked() -> None:
             given = {way.given("deposit") for way in on_gpu if way.technique == name}
             assert given >= {"blend", "scatter"}
     assert {way.technique for way in on_cpu} == set(ALL)
-
-
-# ---- random cases ----
-
-
-@settings(
-    max_examples=6,
-    derandomize=True,
-    deadline=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture],
-)
-@given(seed=st.integers(0, 2**31 - 1))
-def test_chance_breaks_nothing(seed: int) -> None:
-    with Bench(["cpu"]) as bench:
-        assert list(chance.judge(bench, chance.draw(seed))) == []
-
-
-@pytest.mark.gl
-def test_chance_breaks_nothing_on_a_driver(devices: tuple[Any, ...]) -> None:
-    with Bench(devices) as bench:
-        assert list(chance.judge(bench, chance.draw(0))) == []
-
-
-def test_a_seed_draws_the_same_again() -> None:
-    first, second = (chance.draw(11) for _ in range(2))
-    assert str(first) == str(second) and first.techniques == second.techniques
-    assert np.array_equal(first.asked, second.asked)
-
-
-# ---- the command ----
-
-
-def test_the_command_tells_each_verdict(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["stress", "--only", "split*", "--only", "thin_*", "--device", "cpu"]) == 0
-    told = capsys.readouterr().out
-    assert re.search(r"^\d+ hold, \d+ named exceptions, 0 fail$", told, re.MULTILINE)
-    assert "right answer" in told and "z0 = z1" in told
-    assert main(["stress", "--only", "thin_surface", "--device", "cpu", "--json"]) == 0
-    (record,) = json.loads(capsys.readouterr().out)
-    assert record["verdict"] == "holds" and record["error"] <= record["tolerance"] == 1e-6
-
-
-def test_a_failure_is_the_exit_code(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def find(bench: Bench) -> Iterator[Finding]:
-        """A wrong answer."""
-        yield Finding(None, 2.0, "2")
-
-    wrong = Case("row", "name", "in", "right", 1.0, "T", find)
-    monkeypatch.setattr(command, "chosen", lambda only: [wrong])
-    assert main(["stress", "--device", "cpu"]) == command.FAILED == 1
-    assert "FAILS" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize(
-    "bad", [("--only", "nothing"), ("--device", "tpu"), ("--seed", "-1"), ("--long", "-1")]
-)
-def test_bad_options_are_refused(bad: tuple[str, str], capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["stress", *bad]) == 2
-    assert "fix:" in capsys.readouterr().err
-
-
-def test_a_random_case_is_told_with_its_seed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["stress", "--long", "0", "--seed", "3", "--device", "cpu"]) == 0
-    assert "1 random cases from seed 3, 0 fail" in capsys.readouterr().out
-
-
-# Without casters a map is a single part of work, which needs no threads.
-THREADS = """
-import numpy as np, pyopacity as po
-strands = po.Strands(np.eye(3), np.array([0, 3]), width=0.5)
-po.transmittance(po.Scene(strands, po.DirectionalLight()), strands)
-"""
-
-
-def test_a_number_of_threads_that_is_none_is_told(python: Callable[..., Any]) -> None:
-    for wrong in ("0", "-1", "two", "1.5", "2000"):
-        result = python("-c", THREADS, OPACITY_THREADS=wrong)
-        assert f"ParameterError: OPACITY_THREADS={wrong} is no number of threads" in result.stderr
-    assert python("-c", THREADS, OPACITY_THREADS="3").returncode == 0

@@ -117,6 +117,11 @@ def wrong(way: Way | None, problems: list[str]) -> Finding:
     return Finding(way, float(len(problems)), problems[0] if problems else "as it should be")
 
 
+def words_of(error: Exception) -> str:
+    """An error in one line."""
+    return " ".join(str(error).split()) or type(error).__name__
+
+
 def refusal(call: Callable[[], Any], words: str, error: type[Exception]) -> list[str]:
     """Nothing, if the call raises this error and names those words; else what it did instead."""
     try:
