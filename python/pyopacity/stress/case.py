@@ -47,7 +47,8 @@ class Case:
         of: what the error is: "T", "wrong answers", ..
         find: asks every way that the case runs on.
         is_slow: takes more than some seconds on two cores.
-        why_tolerance: its derivation, where it is another than that of the row; else empty.
+        why_tolerance: its derivation, where it is another than that of the row, or which of the
+            row's right answers it is about; else empty.
     """
 
     row: str
