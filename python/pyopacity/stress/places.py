@@ -105,6 +105,13 @@ def _three(distance: float, spacing: float, size: float) -> list[Shape]:
     return [sheet(-distance - spacing * k, opacity_of(TAU), half=size) for k in range(3)]
 
 
+def _of_those_in_front(bench: Bench, scene: Scene, points: F64) -> Iterator[Finding]:
+    """Of points before the three, between them, and behind all."""
+    for way in bench.ways():
+        T = bench.T(way, scene, points, filter="none")
+        yield apart(way, T, np.exp(-TAU * np.arange(4)))
+
+
 @case(
     "near/far 1e6",
     input="three surfaces .1 apart, 1 .. 1e4 from the first caster; the last one is 1e6 away",
@@ -120,9 +127,7 @@ def directional_range(bench: Bench) -> Iterator[Finding]:
         beside = [sheet(z, opacity_of(1e-3), half=0.5, x=9.0) for z in (0.0, -1e6)]
         scene = Scene(*_three(distance, 0.1, 3.0), *beside, DirectionalLight((0.0, 0.0, -1.0)))
         points = column(-distance - np.array([-0.5, 0.05, 0.15, 2e6]))
-        for way in bench.ways():
-            T = bench.T(way, scene, points, filter="none")
-            yield apart(way, T, np.exp(-TAU * np.arange(4)))
+        yield from _of_those_in_front(bench, scene, points)
 
 
 @case(
@@ -141,9 +146,7 @@ def point_range(bench: Bench) -> Iterator[Finding]:
         scene = Scene(*own, *beside, PointLight((0.0, 0.0, 0.0)))
         z = distance * np.array([0.98, 1.03, 1.07, 1.5])
         points = np.stack([0.07 * z, 0.03 * z, -z], axis=1)
-        for way in bench.ways():
-            T = bench.T(way, scene, points, filter="none")
-            yield apart(way, T, np.exp(-TAU * np.arange(4)))
+        yield from _of_those_in_front(bench, scene, points)
 
 
 @case(
