@@ -3,14 +3,16 @@
 import argparse
 import textwrap
 import time
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import pyopacity as po
 from pyopacity import _arrays, _native
 from pyopacity.cli import text
 from pyopacity.comparison import available_device
-from pyopacity.stress import Bench, Finding, Verdict, chance, chosen, judge
+from pyopacity.stress import Bench, Case, Finding, Verdict, chance, chosen, judge
 from pyopacity.stress.way import Device
 
 FAILED = 1  # the exit code
@@ -27,7 +29,7 @@ def add_to(commands: Any) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="a row or a case of docs/accuracy.md, or a pattern of them; again for more",
+        help="a row or a case of docs/stress.md, or a pattern of them; again for more",
     )
     add(
         "--device",
@@ -58,62 +60,101 @@ def add_to(commands: Any) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Prints each verdict as it comes, then how many hold."""
     cases = chosen(arguments.only)
-    hours = None if arguments.long is None else _hours(arguments.long)
+    hours = _hours(arguments)
     given = arguments.seed or ("0" if hours is None else str(int(time.time())))
     seed = text.whole("--seed", given, 0, 2**32)
     devices = _devices(arguments.device)
+    machine = _machine(devices)
+    head = {"version": po.__version__, "machine": machine, "seed": seed}
     if not arguments.json:
-        print(f"pyopacity {po.__version__} on {', '.join(_named(devices))}; seed {seed}\n")
+        print(f"pyopacity {po.__version__} on {_named(machine)}; seed {seed}\n")
     if hours is not None:
-        return _run_long(devices, seed, hours, arguments.json)
-    verdicts: list[Verdict] = []
-    if not arguments.json:
-        _print_row(_TITLES)
+        return _run_long(devices, hours, head, arguments.json)
     with Bench(devices, seed, not arguments.quick) as bench:
-        for number, case in enumerate(cases):
-
-            def tell(finding: Finding, place: str = f"{number + 1} of {len(cases)}: {case.name}"
-            ) -> None:  # fmt: skip
-                text.progress(f"{place}, {finding.way or 'no technique'}")
-
-            found = judge(case, bench, tell)
-            text.clear_progress()
-            verdicts += found
-            if not arguments.json:
-                for verdict in found:
-                    _print_row(_cells(verdict))
-    return _tell(verdicts, arguments.json)
+        verdicts = _judged(cases, bench, arguments.json)
+    return _tell(verdicts, head, arguments.json)
 
 
-def _run_long(devices: Sequence[Device], seed: int, hours: float, is_json: bool) -> int:
-    """Random cases until the time is over, at least one; those that fail are told as they come."""
+def _judged(cases: Sequence[Case], bench: Bench, is_json: bool) -> list[Verdict]:
+    verdicts: list[Verdict] = []
+    if not is_json:
+        _print_row(_TITLES)
+    for number, case in enumerate(cases):
+        place = f"{number + 1} of {len(cases)}: {case.name}"
+        found = judge(case, bench, partial(_tell_progress, place))
+        text.clear_progress()
+        verdicts += found
+        if not is_json:
+            for verdict in found:
+                _print_row(_cells(verdict))
+    return verdicts
+
+
+def _tell_progress(place: str, finding: Finding) -> None:
+    text.progress(f"{place}, {finding.way or 'no technique'}")
+
+
+def _run_long(devices: Sequence[Device], hours: float, head: dict[str, Any], is_json: bool) -> int:
+    """Random cases until the time is over, at least one; those that fail are told as they come.
+
+    However it ends, by Ctrl-C too, it says how many there were.
+    """
     end = time.monotonic() + 3600.0 * hours
+    seed, count = head["seed"], 0
     failed: dict[int, list[str]] = {}
-    count = 0
-    with Bench(devices, seed) as bench:
-        while count == 0 or time.monotonic() < end:
-            case = chance.draw(seed + count)
-            text.progress(f"{count} random cases, {len(failed)} fail; {case}")
-            problems = [f"{what}: {problem}" for what, problem in chance.judge(bench, case)]
-            count += 1
-            if problems:
-                failed[case.seed] = problems
-                text.clear_progress()
-                if not is_json:
-                    print(f"{case}; again: pyopacity stress --long 0 --seed {case.seed}")
-                    print("".join(f"  {problem}\n" for problem in problems), flush=True)
-    text.clear_progress()
-    if is_json:
-        text.print_json({"seed": seed, "cases": count, "failed": failed})
-    else:
-        print(f"{count} random cases from seed {seed}, {len(failed)} fail")
+    refused: Counter[str] = Counter()
+    try:
+        with Bench(devices, seed) as bench:
+            while count == 0 or time.monotonic() < end:
+                case = chance.draw(seed + count)
+                text.progress(f"{count} random cases, {len(failed)} fail; {case}")
+                outcome = chance.judge(bench, case)
+                count += 1
+                refused.update(outcome.refused)
+                if outcome.problems:
+                    failed[case.seed] = [f"{what}: {problem}" for what, problem in outcome.problems]
+                    text.clear_progress()
+                    if not is_json:
+                        _print_failed(case, failed[case.seed])
+    finally:
+        text.clear_progress()
+        if is_json:
+            more = {"cases": count, "failed": failed, "refused": dict(refused.most_common())}
+            text.print_json(head | more)
+        else:
+            _print_refused(refused, count)
+            print(f"{count} random cases from seed {seed}, {len(failed)} fail", flush=True)
     return FAILED if failed else 0
 
 
-def _hours(given: str) -> float:
-    (hours,) = text.numbers("--long", given, (1,), "a number of hours")
+def _print_failed(case: chance.Draw, problems: Sequence[str]) -> None:
+    print(f"{case}; again: pyopacity stress --long 0 --seed {case.seed}")
+    print("".join(f"  {problem}\n" for problem in problems), flush=True)
+
+
+def _print_refused(refused: Counter[str], count: int) -> None:
+    """Parameters that exclude each other, as techniques say; a wrong refusal would show."""
+    if refused:
+        print(f"{refused.total()} of {count * chance.TECHNIQUES} draws of parameters are refused:")
+    for words, times in refused.most_common():
+        print(f"  {times} x {words}")
+
+
+def _hours(arguments: argparse.Namespace) -> float | None:
+    """Of ``--long``, or None without it."""
+    if arguments.long is None:
+        return None
+    for option, given in (("--only", arguments.only), ("--quick", arguments.quick)):
+        if given:
+            raise po.ParameterError(
+                f"{option} is of the suite's cases, and --long draws cases of its own",
+                f"leave out {option} or --long",
+            )
+    (hours,) = text.numbers("--long", arguments.long, (1,), "a number of hours")
     if not 0.0 <= hours < 1e6:
-        raise po.ParameterError(f"--long {given} is no number of hours", "write such as .5 or 8")
+        raise po.ParameterError(
+            f"--long {arguments.long} is no number of hours", "write such as .5 or 8"
+        )
     return hours
 
 
@@ -126,19 +167,33 @@ def _devices(given: str) -> tuple[Device, ...]:
     return ("gpu",) if given == "gpu" else ("cpu",)
 
 
-def _named(devices: Sequence[Device]) -> Iterator[str]:
+def _machine(devices: Sequence[Device]) -> list[dict[str, str]]:
+    """Each device; of OpenGL, what it calls itself.
+
+    Raises:
+        ContextError: there is none.
+    """
+    machine = []
     for device in devices:
+        facts = {"device": str(device)}
         if device == "gpu":
             context = _native.Context.headless()
-            yield f"{context.renderer} ({context.version})"
-        else:
-            yield "cpu"
+            facts |= {"renderer": context.renderer, "version": context.version}
+        machine.append(facts)
+    return machine
 
 
-def _tell(verdicts: Sequence[Verdict], is_json: bool) -> int:
+def _named(machine: Sequence[dict[str, str]]) -> str:
+    return ", ".join(
+        f"{facts['renderer']} ({facts['version']})" if "renderer" in facts else facts["device"]
+        for facts in machine
+    )
+
+
+def _tell(verdicts: Sequence[Verdict], head: dict[str, Any], is_json: bool) -> int:
     failed = [verdict for verdict in verdicts if verdict.verdict == "FAILS"]
     if is_json:
-        text.print_json([_record(verdict) for verdict in verdicts])
+        text.print_json(head | {"verdicts": [_record(verdict) for verdict in verdicts]})
     else:
         held = sum(verdict.verdict == "holds" for verdict in verdicts)
         exceptions = len(verdicts) - held - len(failed)
@@ -160,6 +215,7 @@ def _record(verdict: Verdict) -> dict[str, Any]:
         "worst_way": str(worst.way) if worst.way else None,
         "ways": verdict.ways,
         "tolerance": case.tolerance,
+        "tolerance_derivation": case.why_tolerance,
         "allowed": verdict.allowed,
         "exception": verdict.exception.why if verdict.exception else None,
         "verdict": verdict.verdict,

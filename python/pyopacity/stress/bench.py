@@ -27,6 +27,9 @@ class Bench:
         is_thorough: the sizes of the table, also where they take minutes.
         on_gpu: the techniques that are asked there.
         progress: told in words what is asked.
+
+    Attributes:
+        asked: the way that was asked last; None before any, and once renderers are freed.
     """
 
     def __init__(
@@ -40,6 +43,7 @@ class Bench:
         self.devices = tuple(devices)
         self.seed = seed
         self.is_thorough = is_thorough
+        self.asked: Way | None = None
         self._on_gpu = frozenset(on_gpu)
         self._progress = progress
         self._renderers: dict[tuple[Device, int, int], Renderer] = {}
@@ -60,6 +64,7 @@ class Bench:
 
     def renderer(self, way: Way, scene: Scene, map_size: int = MAP_SIZE, **more: Value) -> Renderer:
         """One that has the way's technique; the same for a scene, a device and a map's size."""
+        self.asked = way
         self._progress(str(way))
         key = (way.device, id(scene), map_size)
         technique = way.make(**more)
@@ -96,6 +101,7 @@ class Bench:
         for renderer in self._renderers.values():
             renderer.close()
         self._renderers.clear()
+        self.asked = None
 
     def __enter__(self) -> Bench:
         return self

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,13 +40,15 @@ class Case:
     """An input with a right answer.
 
     Attributes:
-        row: the row of docs/accuracy.md, "Stress tests", that it belongs to.
+        row: the row of docs/stress.md that it belongs to.
         name: of the function that finds it; unique.
         input, right: for people.
         tolerance: the largest error that holds, in the unit ``of``.
         of: what the error is: "T", "wrong answers", ..
         find: asks every way that the case runs on.
         is_slow: takes more than some seconds on two cores.
+        why_tolerance: its derivation, where it is another than that of the row, or which of the
+            row's right answers it is about; else empty.
     """
 
     row: str
@@ -56,7 +58,8 @@ class Case:
     tolerance: float
     of: str
     find: Find
-    is_slow: bool
+    is_slow: bool = False
+    why_tolerance: str = ""
 
     @property
     def derivation(self) -> str:
@@ -65,15 +68,31 @@ class Case:
 
 
 def case(
-    row: str, input: str, right: str, tolerance: float, of: str = "T", is_slow: bool = False
+    row: str,
+    input: str,
+    right: str,
+    tolerance: float,
+    of: str = "T",
+    is_slow: bool = False,
+    why_tolerance: str = "",
 ) -> Callable[[Find], Case]:
     """Makes a case of the function that finds its answers; its docstring derives the right one."""
 
     def make(find: Find) -> Case:
         name = find.__name__
-        return Case(row, name, input, right, tolerance, of, find, is_slow)
+        return Case(row, name, input, right, tolerance, of, find, is_slow, why_tolerance)
 
     return make
+
+
+def table(cases: Iterable[Case]) -> str:
+    """What docs/stress.md lists: a row for each."""
+    rows = (
+        f"| {one.row} | `{one.name}` | {one.tolerance:.3g} | {one.of} | {one.why_tolerance} |"
+        for one in cases
+    )
+    head = ["| row | case | tolerance | of | derivation |", "|---|---|---|---|---|"]
+    return "\n".join([*head, *rows]) + "\n"
 
 
 def apart(way: Way | None, got: npt.ArrayLike, right: npt.ArrayLike) -> Finding:
@@ -97,6 +116,11 @@ def relative(way: Way | None, got: npt.ArrayLike, right: npt.ArrayLike) -> Findi
 def wrong(way: Way | None, problems: list[str]) -> Finding:
     """As many errors as there are problems."""
     return Finding(way, float(len(problems)), problems[0] if problems else "as it should be")
+
+
+def words_of(error: Exception) -> str:
+    """An error in one line."""
+    return " ".join(str(error).split()) or type(error).__name__
 
 
 def refusal(call: Callable[[], Any], words: str, error: type[Exception]) -> list[str]:

@@ -73,10 +73,6 @@ def cloud(bench: Bench, points: int) -> Cloud:
     )
 
 
-def _points(bench: Bench) -> int:
-    return 1_000_000 if bench.is_thorough else 100_000
-
-
 def _counts(bench: Bench, of: Cloud) -> Iterator[tuple[Way, F64]]:
     """How many spheres each texel's T says that it has: -log(T) / one."""
     for way in bench.ways():
@@ -93,6 +89,13 @@ def z_values(counts: F64, mean: float) -> F64:
     return np.asarray(2.0 * (np.sqrt(counts + 0.375) - math.sqrt(mean + 0.125)))
 
 
+def _z_of_texels(bench: Bench) -> Iterator[tuple[Way, F64]]:
+    """Of the large cloud, by each way."""
+    of = cloud(bench, 1_000_000 if bench.is_thorough else 100_000)
+    for way, counts in _counts(bench, of):
+        yield way, z_values(counts, of.mean)
+
+
 @case(
     "Beer-Lambert",
     input="a Poisson cloud of 1e6 spheres; each texel's T behind it",
@@ -105,9 +108,8 @@ def texels_beyond(bench: Bench) -> Iterator[Finding]:
     """-log T over one sphere's optical depth is a Poisson count. Of a normal one 1 in 2149 texels
     lies beyond 3.5.
     """
-    of = cloud(bench, _points(bench))
-    for way, counts in _counts(bench, of):
-        z = np.abs(z_values(counts, of.mean))
+    for way, values in _z_of_texels(bench):
+        z = np.abs(values)
         yield Finding(way, float(np.mean(~(z <= MOST_Z))), f"most z {z.max():.2f}")
 
 
@@ -118,16 +120,16 @@ def texels_beyond(bench: Bench) -> Iterator[Finding]:
     tolerance=1.0,
     of="z, by the bound",
     is_slow=True,
+    why_tolerance="Sidak's bound of as many tests at .001",
 )
 def largest_z(bench: Bench) -> Iterator[Finding]:
     """Texels are independent, so that all stay below the quantile of (1 - .001)^(1/M) together in
     999 of 1000 right maps: Sidak's correction is exact.
     """
-    of = cloud(bench, _points(bench))
-    each = 1.0 - (1.0 - ALPHA) ** (1.0 / len(of.behind))
-    bound = NormalDist().inv_cdf(1.0 - 0.5 * each)
-    for way, counts in _counts(bench, of):
-        z = float(np.abs(z_values(counts, of.mean)).max())
+    for way, values in _z_of_texels(bench):
+        each = 1.0 - (1.0 - ALPHA) ** (1.0 / values.size)
+        bound = NormalDist().inv_cdf(1.0 - 0.5 * each)
+        z = float(np.abs(values).max())
         yield Finding(way, z / bound, f"{z:.3f}, at most {bound:.3f}")
 
 
@@ -138,19 +140,17 @@ def largest_z(bench: Bench) -> Iterator[Finding]:
     tolerance=1.0,
     of="z, by the bound",
     is_slow=True,
+    why_tolerance="the bounds of two tests at .0005 each",
 )
 def spread_of_z(bench: Bench) -> Iterator[Finding]:
     """Too even is as wrong as too uneven. Wilson and Hilferty's cube root makes chi squared
     normal; two tests a way share the .001 by halves (Bonferroni).
     """
-    of = cloud(bench, _points(bench))
-    count = len(of.behind)
     bound = NormalDist().inv_cdf(1.0 - 0.25 * ALPHA)
-    for way, counts in _counts(bench, of):
-        z = z_values(counts, of.mean)
-        spread = 2.0 / (9.0 * count)
+    for way, z in _z_of_texels(bench):
+        spread = 2.0 / (9.0 * z.size)
         squares = ((np.mean(z**2)) ** (1.0 / 3.0) - (1.0 - spread)) / math.sqrt(spread)
-        mean = float(z.mean()) * math.sqrt(count)
+        mean = float(z.mean()) * math.sqrt(z.size)
         worst = max(abs(float(squares)), abs(mean))
         yield Finding(way, worst / bound, f"mean {mean:.2f}, squares {squares:.2f}")
 
@@ -159,9 +159,11 @@ def spread_of_z(bench: Bench) -> Iterator[Finding]:
     "Beer-Lambert",
     input="the same: what each texel holds, counted",
     right="a whole number of spheres",
-    tolerance=5e-3,
+    tolerance=1e-4,
     of="spheres",
     is_slow=True,
+    why_tolerance="25 terms of .05 each round by 2^-24 of a sum of 1.25 at most, 2e-6: 4e-5 "
+    "spheres",
 )
 def whole_counts(bench: Bench) -> Iterator[Finding]:
     """A sphere within a texel takes the same from it wherever it lies there. Of the first hundred

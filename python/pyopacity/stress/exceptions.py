@@ -1,7 +1,7 @@
 """What cannot hold for a technique by its nature, and how far from holding it is.
 
 A way that an exception is about is held to the measured size there, not to the case's tolerance.
-docs/accuracy.md lists them.
+docs/stress.md lists them.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class NamedException:
     Attributes:
         case: its name.
         ways: patterns of what :class:`pyopacity.stress.way.Way` calls itself, any device in front.
-        size: the largest error that is known, in the case's measure, with a little room.
+        size: the largest error, in the case's measure, with the default seed, with a little room.
         why: the nature of it.
         only_on: the device, where the other one has nothing of it.
     """
@@ -56,7 +56,10 @@ _MOMENTS = "4 moments are exact of two casters"
 _ROUNDING = "moments multiply what float32 rounds, most where a texel holds everything"
 _OWN_PART = "beside a strand nearly opaque, what is left without its own part is rounding"
 _PLANES = "bounds that are rounded anew move planes, and a caster in a layer of its own is a step"
-_STEEP = "seen where strands run along the light; why is not understood"
+_SEGMENTS = (
+    "a strand is corrected for as one line, of one depth a texel; of segments shorter than that "
+    "some lie in the receiver's own slice"
+)
 _HALF_FLOAT = "sums of 11 bits"
 _EIGHT_BITS = "a fragment below half of a 255th of kappa is lost"
 
@@ -74,7 +77,7 @@ EXCEPTIONS: tuple[NamedException, ...] = (
     NamedException("receivers_on_the_planes", (FOM,), 0.3, _SERIES),
     NamedException("receivers_on_the_planes", (MOMENTS,), 0.2, _MOMENTS),
     NamedException("receivers_on_the_planes", (LISTS,), 0.01, _BOUND),
-    NamedException("first_fragment", (OSM,), 0.0011, _STEEP),
+    NamedException("first_fragment", (OSM,), 0.0011, _SEGMENTS),
     NamedException("first_fragment", (FOM,), 0.01, _SERIES),
     NamedException("two_clusters_far_apart", (AOM, AUTO), 0.007, _OUTLIERS),
     NamedException("two_clusters_far_apart", (BOM,), 0.02, _OUTLIERS),
@@ -99,12 +102,13 @@ EXCEPTIONS: tuple[NamedException, ...] = (
     NamedException("light_inside", (FOM,), 0.045, _SERIES),
     NamedException("light_inside", (MOMENTS,), 0.11, _MOMENTS),
     NamedException("light_inside", (LISTS,), 0.003, _BOUND),
-    NamedException("permuted", (MOMENTS,), 0.03, _ROUNDING),
-    NamedException("scaled", (BOM, AOM, AUTO), 1e-4, _PLANES),
+    NamedException("permuted", (MOMENTS,), 2.7e-4, _ROUNDING),
+    NamedException("scaled", (BOM, AOM), 7e-5, _PLANES),
     NamedException("scaled", (MOMENTS,), 1e-3, _ROUNDING),
+    NamedException("instanced", (MOMENTS,), 1.45e-3, _ROUNDING),
     NamedException("both_devices", (MOMENTS,), 0.05, _OWN_PART, only_on="gpu"),
     NamedException("never_rises", (FOM,), 0.15, "a series rings"),
-    NamedException("never_rises", (MOMENTS,), 2e-6, _ROUNDING, only_on="gpu"),
+    NamedException("never_rises", (MOMENTS,), 5e-7, _ROUNDING, only_on="gpu"),
     NamedException("hardly_rises", (FOM,), 0.25, "a series rings"),
 )
 
@@ -115,7 +119,7 @@ def exception_of(case: str, way: str) -> NamedException | None:
 
 
 def table() -> str:
-    """What docs/accuracy.md lists: a row for each."""
+    """What docs/stress.md lists: a row for each."""
     rows = [f"| `{one.case}` | {_ways(one)} | {one.size:g} | {one.why} |" for one in EXCEPTIONS]
     return "\n".join(["| case | of | size | why |", "|---|---|---|---|", *rows]) + "\n"
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+import numpy.typing as npt
 
+from pyopacity.scene import Scene
 from pyopacity.shapes import Mesh, Strands
 from pyopacity.stress.bench import Bench
 from pyopacity.stress.case import Finding, apart, case
@@ -13,6 +15,14 @@ from pyopacity.stress.grid import Grid
 
 TEXELS = 16
 RADIUS = 1.5  # texels: 3 x 3
+
+
+def _means(
+    bench: Bench, scene: Scene, points: npt.NDArray[np.float64], right: npt.ArrayLike
+) -> Iterator[Finding]:
+    for way in bench.ways():
+        T = bench.T(way, scene, points, TEXELS, filter="box", filter_radius=RADIUS)
+        yield apart(way, T, right)
 
 
 @case(
@@ -30,9 +40,7 @@ def half_covered_row(bench: Bench) -> Iterator[Finding]:
         strand = Strands(ends, np.array([0, 2]), width=0.5 * grid.texel, opacity=opacity)
         scene = grid.scene(strand)
         mean = 1.0 - 0.5 * opacity / 3.0
-        for way in bench.ways():
-            T = bench.T(way, scene, points, TEXELS, filter="box", filter_radius=RADIUS)
-            yield apart(way, T, [mean, mean, 1.0])
+        yield from _means(bench, scene, points, [mean, mean, 1.0])
 
 
 @case(
@@ -50,6 +58,4 @@ def edge_of_a_surface(bench: Bench) -> Iterator[Finding]:
     columns = np.array([4.5, 6.5, 7.5, 8.5, 9.5, 12.5])
     points = grid.world([(x, 8.5, 1.5) for x in columns])
     covered = np.clip((8.0 - columns) / 3.0 + 0.5, 0.0, 1.0)
-    for way in bench.ways():
-        T = bench.T(way, scene, points, TEXELS, filter="box", filter_radius=RADIUS)
-        yield apart(way, T, 1.0 - 0.7 * covered)
+    yield from _means(bench, scene, points, 1.0 - 0.7 * covered)

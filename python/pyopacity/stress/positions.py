@@ -26,6 +26,7 @@ AT = 77_777  # 1 in 1e5
     right="a ParameterError that names the point",
     tolerance=0,
     of="wrong answers",
+    why_tolerance="a typed error, always: nothing is cleaned, and no option would",
 )
 def points_that_are_nowhere(bench: Bench) -> Iterator[Finding]:
     """A point that is not finite has no place in a map."""
@@ -70,6 +71,7 @@ def _hair_with(stop: int | None) -> tuple[Strands, np.ndarray]:
     input="a segment of no length, strands of one point and of none; triangles that are a line",
     right="T of the rest, bit for bit",
     tolerance=0,
+    why_tolerance="no error: they are taken, and the rest is unchanged",
 )
 def primitives_without_extent(bench: Bench) -> Iterator[Finding]:
     """They cover nothing, so that they deposit nothing, and move no bound."""
@@ -93,6 +95,7 @@ def primitives_without_extent(bench: Bench) -> Iterator[Finding]:
     right="finite T in [0, 1]",
     tolerance=0,
     of="wrong answers",
+    why_tolerance="no error: they are taken",
 )
 def shapes_of_nothing(bench: Bench) -> Iterator[Finding]:
     """What has no area casts nothing; a map that is fitted to nothing is still a map."""

@@ -26,7 +26,7 @@ from pyopacity.stress import (
     skips,
 )
 from pyopacity.stress.bench import Bench
-from pyopacity.stress.case import Case, Finding
+from pyopacity.stress.case import Case, Finding, words_of
 from pyopacity.stress.exceptions import NamedException, exception_of
 
 _FAMILIES = (
@@ -46,7 +46,7 @@ _FAMILIES = (
     digests,
     skips,
 )
-# In the order of the table of docs/accuracy.md.
+# In the order of the table of docs/stress.md.
 CASES: tuple[Case, ...] = tuple(
     entry for family in _FAMILIES for entry in vars(family).values() if isinstance(entry, Case)
 )
@@ -98,7 +98,7 @@ def chosen(only: Iterable[str]) -> list[Case]:
 def judge(
     case: Case, bench: Bench, tell: Callable[[Finding], object] = lambda _: None
 ) -> list[Verdict]:
-    """Asks every way of a case. An error that is none of its answers fails it."""
+    """Asks every way of a case. An error that is none of its answers fails it, by the way asked."""
     groups: dict[NamedException | None, list[Finding]] = {}
     try:
         for finding in case.find(bench):
@@ -106,8 +106,8 @@ def judge(
             exception = exception_of(case.name, str(finding.way)) if finding.way else None
             groups.setdefault(exception, []).append(finding)
     except (Error, MemoryError) as error:
-        text = " ".join(str(error).split()) or type(error).__name__
-        groups.setdefault(None, []).append(Finding(None, float("nan"), text))
+        found = Finding(bench.asked, float("nan"), words_of(error))
+        groups.setdefault(None, []).append(found)
     finally:
         bench.clear()
     return [
