@@ -2,7 +2,6 @@
 
 import threading
 import time
-import tracemalloc
 from collections.abc import Callable
 from typing import Any
 
@@ -44,32 +43,6 @@ def test_render_fills_the_array_it_is_given(
     image = np.full((32, 48, 4), np.nan, np.float32)
     assert renderer.render(out=image) is image
     assert same(image, expected)
-
-
-def test_arrays_that_are_there_cost_no_others(renderer: po.Renderer) -> None:
-    """A frame that moves, and T at moved points: next to nothing in Python, and nothing stays."""
-    image = np.empty((32, 48, 4), np.float32)
-    points = np.random.default_rng(0).uniform(-1, 1, (100_000, 3)).astype(np.float32)
-    out = np.empty(len(points), np.float32)
-
-    def frame(number: int) -> None:
-        renderer.camera = po.Camera.look_at((2, -3, 1 + 0.01 * number), (0, 0, 0.4))
-        renderer.render(out=image)
-        points[:, 0] += 1e-3
-        renderer.transmittance(points, out=out)
-
-    frame(0)
-    tracemalloc.start()
-    try:
-        frame(1)
-        before, _ = tracemalloc.get_traced_memory()
-        tracemalloc.reset_peak()
-        frame(2)
-        after, peak = tracemalloc.get_traced_memory()
-    finally:
-        tracemalloc.stop()
-    assert peak - before < 16_384  # a copy of the points would be 1.2 MB, of T 400 kB
-    assert after - before < 4_096
 
 
 def read_only_picture() -> Any:

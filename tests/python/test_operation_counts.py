@@ -1,7 +1,8 @@
 """What a frame does, counted: on any machine the same, so that no change costs more unseen.
 
 Passes that ran, draw calls and dispatches, fragments that casters leave in a map, bytes that maps
-hold, and bytes that passes write. Never a time: benchmarks measure those (docs/performance.md).
+hold, that passes write, and that Python allocates. Never a time: benchmarks measure those
+(docs/performance.md).
 Where a number here has to rise, the change that raises it says what for.
 """
 
@@ -9,6 +10,7 @@ from __future__ import annotations
 
 import collections
 import re
+import tracemalloc
 from collections.abc import Callable
 from typing import Any
 
@@ -259,3 +261,33 @@ def test_a_cached_map_writes_nothing(device: str, scene: po.Scene) -> None:
         renderer.transmittance(np.ones((1, 3)))
         assert ran(renderer) == ["transmittance"]
         assert sum(written(renderer).values()) < 100
+
+
+# ---- memory of Python ----
+
+
+@pytest.mark.gl
+def test_arrays_that_are_there_cost_no_others(renderer: po.Renderer) -> None:
+    """A frame that moves, and T at moved points: next to nothing in Python, and nothing stays."""
+    image = np.empty((32, 48, 4), np.float32)
+    points = np.random.default_rng(0).uniform(-1, 1, (100_000, 3)).astype(np.float32)
+    out = np.empty(len(points), np.float32)
+
+    def frame(number: int) -> None:
+        renderer.camera = po.Camera.look_at((2, -3, 1 + 0.01 * number), (0, 0, 0.4))
+        renderer.render(out=image)
+        points[:, 0] += 1e-3
+        renderer.transmittance(points, out=out)
+
+    frame(0)
+    tracemalloc.start()
+    try:
+        frame(1)
+        before, _ = tracemalloc.get_traced_memory()
+        tracemalloc.reset_peak()
+        frame(2)
+        after, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak - before < 16_384  # a copy of the points would be 1.2 MB, of T 400 kB
+    assert after - before < 4_096
