@@ -126,13 +126,15 @@ def test_shading_is_linear_in_what_is_looked_up_there(
 ) -> None:
     """With the technique's own T at the receivers, dark and lit add up to the technique's picture.
 
-    One bias for all, and no own correction: points know no strand of their own.
+    One bias for all, and no own correction: points know no strand of their own. T of each sample,
+    not between places along its strand.
     """
     camera = po.Camera.fit(scene.shapes[:2])
     shadows = impersonal(technique, bias=0.05)
     flat_to_the_light(scene)
     T = np.ones((32, 48))
-    with po.Renderer(scene, camera, technique=shadows, **small) as renderer:
+    look_up = {"strand_look_up": "per_sample"}
+    with po.Renderer(scene, camera, technique=shadows, **look_up, **small) as renderer:
         picture = renderer.render()
         seen = renderer.receivers()
         T[seen.mask] = renderer.transmittance(seen.points[seen.mask])
