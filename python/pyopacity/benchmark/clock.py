@@ -64,15 +64,15 @@ class Clock:
     """How often things take turns.
 
     Attributes:
-        rounds: as many, unless they are slow.
-        slow_s: seconds that a round takes on average, from which on there are only ``least``.
+        rounds: as many, if there is time.
         least: as many in any case.
+        budget_s: seconds, after which no more than the least begin.
         warm_up: rounds before, that do not count: programs are compiled in them.
     """
 
     rounds: int = 9
-    slow_s: float = 20.0
     least: int = 5
+    budget_s: float = 100.0
     warm_up: int = 1
 
     def in_turns(self, works: Mapping[str, Callable[[], Parts]]) -> Turns:
@@ -83,7 +83,7 @@ class Clock:
                 work()
         start = time.perf_counter()
         for done in range(self.rounds):
-            if done >= self.least and time.perf_counter() - start >= self.slow_s * done:
+            if done >= self.least and time.perf_counter() - start >= self.budget_s:
                 break
             for name, work in works.items():
                 found[name].append(work())

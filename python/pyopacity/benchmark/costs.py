@@ -43,7 +43,7 @@ def _of(run: Run, variant: Variant) -> tuple[list[Row], Row]:
     }
     technique = variant.make()
     with Renderer(scene, device=plan.device, technique=technique, map_size=map_size) as renderer:
-        turns = plan.clock.in_turns({"": all_maps(renderer)})
+        turns = plan.grid_clock.in_turns({"": all_maps(renderer)})
         calls = {row.name: row.calls for row in renderer.report}
         whole = turns.median("")
         rows = [

@@ -54,7 +54,7 @@ def _row(axis: str, name: str, sizes: Sequence[int], seconds: list[float], round
 def _turns(run: Run, sizes: Sequence[int], make: Make, variant: Variant) -> Turns:
     with ExitStack() as stack:
         renderers = {size: stack.enter_context(make(size, variant)) for size in sizes}
-        return run.plan.clock.in_turns({str(s): all_maps(r) for s, r in renderers.items()})
+        return run.plan.grid_clock.in_turns({str(s): all_maps(r) for s, r in renderers.items()})
 
 
 def _variants(run: Run, has_layers: bool) -> dict[str, Variant]:

@@ -8,7 +8,7 @@ footprint (docs/accuracy.md). Only the papers' techniques as published look up a
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -35,6 +35,8 @@ _NOTE = """T at all points of the scene's shapes, everything anew: seconds, and 
 alone. Depth error: RMSE of T against every fragment of the same map, sorted. Total error: against
 rays through the real geometry, over one footprint for all maps. On the front, bold here and joined
 in the plot: nothing of the scene, of whatever kind, is both faster and less wrong."""
+_FRONT_NOTE = """The rows of time against error that lie on the front of their scene, the fastest
+first: what to choose from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,14 +49,17 @@ class _Setting:
 
 
 def measure(run: Run) -> Iterator[Table]:
-    """A table that grows scene by scene, with a plot each."""
+    """A table that grows scene by scene, with a plot each, and one of its fronts."""
     rows: list[Row] = []
     plots: dict[str, str] = {}
+    fronts: list[list[Row]] = []
     for name in run.plan.scenes:
         found = run.once(rows_of, name)
         rows = rows + found
+        fronts.append(_front(found))
         plots = plots | {f"error-over-time-{len(plots) + 1}": _plot(name, found)}
         yield Table("errors", "Time against error", _NOTE, rows, plots)
+        yield Table("front", "Pareto fronts", _FRONT_NOTE, [r for s in fronts for r in s])
 
 
 def rows_of(run: Run, name: str) -> list[Row]:
@@ -77,6 +82,12 @@ def rows_of(run: Run, name: str) -> list[Row]:
     for row, is_best in zip(measured, front(costs, errors), strict=True):
         row["front"] = is_best
     return rows
+
+
+def _front(rows: list[Row]) -> list[Row]:
+    """Of one scene, without what all rows have alike."""
+    best = sorted((row for row in rows if row["front"]), key=lambda row: _number(row, "seconds"))
+    return [{key: row[key] for key in row if key not in ("front", "note")} for row in best]
 
 
 def _settings(run: Run, name: str, width: float) -> list[_Setting]:
@@ -118,7 +129,8 @@ def _rows_of_map(run: Run, name: str, bench: Bench, settings: list[_Setting]) ->
         except OutOfMemoryError as error:
             rows[key] = _unmeasured(name, bench, setting, error.what)
     run.tell(f"{name}, map {bench.renderer.map_size}: times in turns")
-    turns = run.plan.clock.in_turns(works)
+    clock = replace(run.plan.grid_clock, warm_up=0)  # errors asked every setting already
+    turns = clock.in_turns(works)
     for key in works:
         rows[key] |= {
             "seconds": turns.median(key),
