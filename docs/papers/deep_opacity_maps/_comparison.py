@@ -113,7 +113,7 @@ def times(
 
         measured = medians_in_turns(
             {name: lambda way=way: frame(way) for name, way in techniques.items()},
-            run.pick(5, 2, 1),
+            run.pick(3, 2, 1),
         )
     bare = measured[NONE]["frame"]
     for name in techniques:
