@@ -27,6 +27,7 @@ from pyopacity.benchmark import (
     frames,
     goals,
     measure,
+    time_against_error,
     ways,
 )
 from pyopacity.benchmark.clock import Clock, Turns
@@ -110,6 +111,13 @@ def test_only_slow_things_take_fewer_turns() -> None:
 def test_goals_are_medians_of_nine_or_where_a_round_takes_long_of_five() -> None:
     clock = Plan().clock
     assert (clock.rounds, clock.least, clock.budget_s) == (9, 5, 100.0) and clock.warm_up > 0
+
+
+def test_a_large_scene_has_map_sizes_of_its_own() -> None:
+    plan = replace(TINY.on("cpu"), large=299, large_map_sizes=(24,))
+    assert {row["map"] for row in time_against_error.rows_of(Run(plan), HAIR)} == {24}
+    small = replace(plan, large=10_000)
+    assert small.map_sizes_of(10_000) == plan.map_sizes and small.map_sizes_of(10_001) == (24,)
 
 
 def test_brute_force_agrees_with_rays() -> None:

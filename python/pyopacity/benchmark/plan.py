@@ -49,6 +49,8 @@ class Plan:
         hair: the scene of the goals about errors: strands.
         changes: of every strand, such as its opacity.
         map_sizes: texels along each side.
+        large, large_map_sizes: a scene of more primitives has these map sizes alone, or one scene
+            would take as long as all others.
         layers: of techniques that have them; Fourier's have one coefficient less.
         judged_px: T is compared over two texels of a map of this size, whatever the map's own is.
         receivers, rays: points at which T is compared, and rays to a footprint.
@@ -73,6 +75,8 @@ class Plan:
     hair: str = "demo:hair?segments=150000"
     changes: Mapping[str, Any] = field(default_factory=dict)
     map_sizes: tuple[int, ...] = (256, 512, 1024)
+    large: int = 1_000_000
+    large_map_sizes: tuple[int, ...] = (512,)
     layers: tuple[int, ...] = (4, 16)
     judged_px: int = 512
     receivers: int = 2000
@@ -86,6 +90,10 @@ class Plan:
     grid_clock: Clock = Clock(least=2, budget_s=30.0)
     goals: GoalSizes = GoalSizes()
     is_quick: bool = False
+
+    def map_sizes_of(self, primitives: int) -> tuple[int, ...]:
+        """Of a scene with so many."""
+        return self.large_map_sizes if primitives > self.large else self.map_sizes
 
     def on(self, device: Device) -> Plan:
         """The same on another device."""

@@ -73,7 +73,7 @@ def rows_of(run: Run, name: str) -> list[Row]:
         judged = comparison.Plan(samples=plan.rays, device="cpu", footprint=footprint)
         truth = Truth(scene, camera, judged, receivers, lambda what: run.tell(f"{name}: {what}"))
         bench = Bench(judged, renderer, receivers, truth, DepthReference(receivers))
-        for map_size in plan.map_sizes:
+        for map_size in plan.map_sizes_of(primitives(scene)):
             width = box_width(footprint, _texel(renderer, map_size))
             settings = _settings(run, name, width)
             rows += _rows_of_map(run, name, bench, settings)

@@ -96,9 +96,10 @@ def _plan(arguments: argparse.Namespace) -> Plan:
         changes |= {"scenes": _scenes(plan, arguments)}
     settings = _native.RenderSettings()
     if arguments.map_size is not None:
-        changes["map_sizes"] = measure_options.whole_numbers("--map-size", arguments.map_size)
-        for size in changes["map_sizes"]:
+        sizes = measure_options.whole_numbers("--map-size", arguments.map_size)
+        for size in sizes:
             settings.set("map_size", size)
+        changes |= {"map_sizes": sizes, "large_map_sizes": sizes}
     if arguments.layers is not None:
         changes["layers"] = measure_options.whole_numbers("--layers", arguments.layers)
         comparison.Plan(layers=changes["layers"]).variants()  # refuses what none takes
