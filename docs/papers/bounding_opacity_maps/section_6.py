@@ -63,6 +63,7 @@ def table(name: str, ours: Rates) -> list[Claim]:
 
     paper = PAPER[name]
     over = [[d / b for d, b in zip(r["DOM"], r["BOM"], strict=True)] for r in (paper, ours)]
+    growth = [r["DOM"][0] / r["DOM"][-1] for r in (paper, ours)]
     ordered = all(
         osm * (1 + SLACK) > dom and dom * (1 + SLACK) > bom
         for osm, dom, bom in zip(*(ours[s] for s in NAMES), strict=True)
@@ -80,8 +81,8 @@ def table(name: str, ours: Rates) -> list[Claim]:
             ", ".join(f"{value:.2f}" for value in over[0]),
             ", ".join(f"{value:.2f}" for value in over[1]),
             rises(over[1][::-1], SLACK) and over[1][-1] < (1 - SLACK) * over[1][0],
-            why="both bounds come from one pass here, a small part of a frame even beside four "
-            "layers, so that there is little to fall",
+            why="bounding maps' extra pass fades only as far as layers make a frame dearer: a deep "
+            f"frame of 32 over one of 4 takes {growth[1]:.2f} here, {growth[0]:.2f} in the thesis",
         ),
     ]
 

@@ -63,7 +63,7 @@ def claims(run: Run) -> list[Claim]:
             Claim(
                 f"{name}: frames a second fall (to {100 * SLACK:.0f} %)",
                 ", ".join(map(str, fps)),
-                ", ".join(f"{value:.1f}" for value in ours_fps),
+                ", ".join(f"{value:.3g}" for value in ours_fps),
                 rises(ours_fps[::-1], SLACK),
             ),
         ]
