@@ -43,7 +43,7 @@ def printed(table: Table) -> str:
     told = ", ".join(f"{key} {text_of(cell)}" for key, cell in facts.items())
     note = table.note + (f" In all rows: {told}." if told else "")
     shown = Table(table.name, table.title, "", sparse(rows)).markdown()
-    return f"## {table.title}\n\n{note}\n\n{shown}\n"
+    return f"## {table.title}\n\n{note}\n\n{shown}"
 
 
 def main() -> None:
@@ -51,11 +51,12 @@ def main() -> None:
     parser.add_argument("folder", type=Path, help="of `pyopacity bench -o`")
     found = json.loads((parser.parse_args().folder / "results.json").read_text("utf-8"))
     machine = ", ".join(f"{name} {text_of(fact)}" for name, fact in found["machine"].items())
-    print(f"# Performance: tables\n\n`{found['command']}`; {machine}.")
-    print("What they say is in [performance.md](performance.md).\n")
+    head = f"# Performance: tables\n\n`{found['command']}`; {machine}."
+    parts = [f"{head}\nWhat they say is in [performance.md](performance.md)."]
     for name, table in found["tables"].items():
         if name not in LEFT_OUT and table["rows"]:
-            print(printed(Table(name, table["title"], table["note"], table["rows"])))
+            parts.append(printed(Table(name, table["title"], table["note"], table["rows"])))
+    print("\n\n".join(parts))
 
 
 if __name__ == "__main__":

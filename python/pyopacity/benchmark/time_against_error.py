@@ -52,14 +52,14 @@ def measure(run: Run) -> Iterator[Table]:
     """A table that grows scene by scene, with a plot each, and one of its fronts."""
     rows: list[Row] = []
     plots: dict[str, str] = {}
-    fronts: list[list[Row]] = []
+    best: list[Row] = []
     for name in run.plan.scenes:
         found = run.once(rows_of, name)
         rows = rows + found
-        fronts.append(_front(found))
+        best = best + _front(found)
         plots = plots | {f"error-over-time-{len(plots) + 1}": _plot(name, found)}
         yield Table("errors", "Time against error", _NOTE, rows, plots)
-        yield Table("front", "Pareto fronts", _FRONT_NOTE, [r for s in fronts for r in s])
+        yield Table("front", "Pareto fronts", _FRONT_NOTE, best)
 
 
 def rows_of(run: Run, name: str) -> list[Row]:
@@ -85,7 +85,7 @@ def rows_of(run: Run, name: str) -> list[Row]:
 
 
 def _front(rows: list[Row]) -> list[Row]:
-    """Of one scene, without what all rows have alike."""
+    """Rows of one scene, the fastest first, without cells that say nothing there."""
     best = sorted((row for row in rows if row["front"]), key=lambda row: _number(row, "seconds"))
     return [{key: row[key] for key in row if key not in ("front", "note")} for row in best]
 
