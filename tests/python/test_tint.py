@@ -218,6 +218,28 @@ def test_what_has_not_changed_is_cached_in_every_channel() -> None:
         assert not any(name.startswith("red/") for name in status(renderer))
 
 
+def scaled(values: object, factors: tuple[float, float, float]) -> npt.NDArray[np.float32]:
+    return np.asarray(values, np.float32) * np.asarray(factors, np.float32)
+
+
+@pytest.mark.parametrize("device", ["gpu", "cpu"])
+@pytest.mark.parametrize("make, part", [(hair, "opacity"), (smoke, "extinction")])
+def test_a_colour_that_stays_keeps_its_maps(make: Tinted, part: str, device: str) -> None:
+    """Of three colours the one that moves is done anew: the same T as from nothing."""
+    scene = make(RGB)
+    points = points_in(scene)
+    with po.Renderer(scene, map_size=32, device=device) as renderer:
+        renderer.transmittance(points)
+        (shape,) = scene.shapes
+        setattr(shape, part, scaled(getattr(shape, part), (1.0, 0.5, 1.0)))
+        kept = renderer.transmittance(points)
+        ran = {name.partition("/")[0] for name, state in status(renderer).items() if state == "ran"}
+        renderer.invalidate()
+        forced = renderer.transmittance(points)
+    assert ran == {"green"}
+    np.testing.assert_array_equal(kept, forced)
+
+
 def test_a_tinted_volume_follows_its_grid() -> None:
     """The extinction of a channel stands for the grid as well."""
     scene, moved = smoke(RGB), smoke(RGB)

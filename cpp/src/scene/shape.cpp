@@ -175,8 +175,8 @@ void Shape::set_opacity(std::vector<float> opacity) {
 
 void Shape::set_opacity_rgb(const std::vector<float3>& rgb) {
     check_values("opacity", flat(rgb), unit_interval, 3);
-    auto tint = std::make_shared<const Tint>(rgb);
     const auto held = lock();
+    auto tint = std::make_shared<const Tint>(rgb, tint_.get());
     assign_opacity(tint->mean());
     tint_ = std::move(tint);
     revisions_.opacity = next_revision();

@@ -2,12 +2,15 @@
 
 namespace opacity {
 
-Tint::Tint(const std::vector<float3>& rgb) {
+Tint::Tint(const std::vector<float3>& rgb, const Tint* before) {
     for (std::size_t c = 0; c < channels.size(); ++c) {
         std::vector<float> values;
         values.reserve(rgb.size());
         for (const float3& value : rgb) values.push_back(value[c]);
-        channels[c].values = std::move(values);
+        if (before && *before->channels[c].values == values)
+            channels[c] = before->channels[c];
+        else
+            channels[c].values = std::move(values);
     }
 }
 

@@ -85,8 +85,8 @@ void Volume::set_extinction(std::vector<float> extinction) {
 
 void Volume::set_extinction_rgb(const std::vector<float3>& rgb) {
     check_extinction(flat(rgb), channel_names.size());
-    auto tint = std::make_shared<const Tint>(rgb);
     const auto held = lock();
+    auto tint = std::make_shared<const Tint>(rgb, tint_.get());
     assign_extinction(tint->mean());
     tint_ = std::move(tint);
     revisions_.geometry = next_revision();

@@ -15,7 +15,9 @@ inline constexpr std::array channel_names{"red", "green", "blue"};
 
 // A value a colour, one for all points or voxels, or one each.
 struct Tint {
-    explicit Tint(const std::vector<float3>& rgb);
+    // A colour that has the values that it had before keeps its revision, and with it all that was
+    // made of it.
+    explicit Tint(const std::vector<float3>& rgb, const Tint* before = nullptr);
 
     // As light of one colour meets them.
     struct Channel {
