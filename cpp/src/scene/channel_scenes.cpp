@@ -3,16 +3,6 @@
 #include <utility>
 
 namespace opacity {
-namespace {
-
-// What has not moved stays, with all that caches hold of it.
-ShapePtr moved(ShapePtr before, ShapePtr now) {
-    if (!before) return now;
-    const auto held = before->lock();
-    return before->revisions() == now->revisions() ? before : now;
-}
-
-}  // namespace
 
 void ChannelScenes::update(const Scene& scene) {
     scene_ = &scene;
@@ -37,10 +27,8 @@ const ChannelScenes::Channels& ChannelScenes::parted(const ShapePtr& shape) {
     if (parted.original.lock() == shape && parted.revisions == revisions) return parted.channels;
     parted.original = shape;
     parted.revisions = revisions;
-    for (std::size_t c = 0; c < parted.channels.size(); ++c) {
-        ShapePtr& channel = parted.channels[c];
-        channel = is_tinted ? moved(std::move(channel), shape->in_channel(c)) : shape;
-    }
+    for (std::size_t c = 0; c < parted.channels.size(); ++c)
+        parted.channels[c] = is_tinted ? shape->in_channel(c) : shape;
     return parted.channels;
 }
 

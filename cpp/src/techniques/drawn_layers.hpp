@@ -105,4 +105,26 @@ struct DrawnLayers {
     }
 };
 
+// Where each plane of a texel stands in the memory of a map. Worked out once for all texels: to
+// find a slot takes divisions, which every fragment would pay for.
+class PlaneIndex {
+   public:
+    PlaneIndex(const DrawnLayers& drawn, std::size_t texel_count)
+        : stride_{std::size_t(drawn.planes_an_image())},
+          begins_(std::size_t(drawn.layer_count()) + 1) {
+        for (int k = 1; k <= drawn.layer_count(); ++k)
+            begins_[std::size_t(k)] =
+                index_of(drawn.slot_of(k), 0, texel_count, drawn.planes_an_image());
+    }
+
+    // Of plane k in 1 .. K.
+    std::size_t operator()(std::size_t texel, int k) const {
+        return begins_[std::size_t(k)] + texel * stride_;
+    }
+
+   private:
+    std::size_t stride_;
+    std::vector<std::size_t> begins_;
+};
+
 }  // namespace opacity::techniques

@@ -19,6 +19,7 @@ class ReadBack {
     ReadBack(PassContext& context, const SampledLayers& sampled)
         : drawn_{sampled.drawn},
           texel_count_{std::size_t(sampled.map.desc().width) * sampled.map.desc().height},
+          index_of_{drawn_, texel_count_},
           planes_{context.read<float>(sampled.map)} {
         if (sampled.moments) moments_ = context.read<float>(*sampled.moments);
         if (!sampled.start) return;
@@ -29,19 +30,16 @@ class ReadBack {
     bool has_moments() const { return !moments_.empty(); }
     bool has_span() const { return !start_.empty(); }
     float plane(std::size_t texel, int k) const {
-        return drawn_.unit() * planes_[place_of(texel, k)];
+        return drawn_.unit() * planes_[index_of_(texel, k)];
     }
-    float moment(std::size_t texel, int k) const { return moments_[place_of(texel, k)]; }
+    float moment(std::size_t texel, int k) const { return moments_[index_of_(texel, k)]; }
     float depth_range(std::size_t texel) const { return end_[texel] - start_[texel]; }
     std::vector<std::size_t> chosen() const;
 
    private:
-    std::size_t place_of(std::size_t texel, int k) const {
-        return index_of(drawn_.slot_of(k), texel, texel_count_, drawn_.planes_an_image());
-    }
-
     const DrawnLayers& drawn_;
     std::size_t texel_count_;
+    PlaneIndex index_of_;
     std::vector<float> planes_, moments_, start_, end_;
 };
 

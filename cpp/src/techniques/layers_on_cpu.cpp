@@ -87,11 +87,10 @@ class LayerPlanes : public TexelSpans {
 class LayerMap {
    public:
     LayerMap(PassContext& context, const DrawnLayers& drawn, bool planes, bool moments)
-        : texel_count_{std::size_t(drawn.map.desc().width) * drawn.map.desc().height},
-          format_{drawn.map.desc().format},
+        : format_{drawn.map.desc().format},
           unit_{drawn.unit()},
           drawn_{drawn},
-          plane_begins_{plane_begins(drawn, texel_count_)} {
+          index_of_{drawn, std::size_t(drawn.map.desc().width) * drawn.map.desc().height} {
         if (planes) values_ = context.memory<float>(drawn.map);
         if (moments) moments_ = context.memory<float>(*drawn.moments);
     }
@@ -99,10 +98,9 @@ class LayerMap {
         : LayerMap{context, drawn, true, drawn.moments != nullptr} {}
 
     // Texels by where they are in an image (DrawnLayers::place_of).
-    float& at(std::size_t texel, const Slot& slot) const {
-        return values_[techniques::index_of(slot, texel, texel_count_)];
-    }
-    float& plane(std::size_t texel, int k) const { return values_[index_of(texel, k)]; }
+    float& plane(std::size_t texel, int k) const { return values_[index_of_(texel, k)]; }
+    // In a packed map.
+    float& start(std::size_t texel) const { return values_[texel * planes_per_target + 3]; }
     // The first plane that is not in the image of plane k.
     int end_of_image(int k) const {
         return k + planes_per_target - int(drawn_.slot_of(k).channel) -
@@ -111,7 +109,7 @@ class LayerMap {
     bool has_planes() const { return !values_.empty(); }
     bool has_moments() const { return !moments_.empty(); }
     // Of optical depth times position in front of plane k > 0.
-    float& moment(std::size_t texel, int k) const { return moments_[index_of(texel, k)]; }
+    float& moment(std::size_t texel, int k) const { return moments_[index_of_(texel, k)]; }
     // Nothing is in front of plane 0.
     float optical_depth(std::size_t texel, int k) const {
         if (k == 0) return 0.f;
@@ -132,24 +130,11 @@ class LayerMap {
     }
 
    private:
-    std::size_t index_of(std::size_t texel, int k) const {
-        return plane_begins_[std::size_t(k)] + texel * planes_per_target;
-    }
-    // Each plane's index at texel 0: a slot divides, which every fragment would pay for.
-    static std::vector<std::size_t> plane_begins(const DrawnLayers& drawn,
-                                                 std::size_t texel_count) {
-        std::vector<std::size_t> begins(std::size_t(drawn.layer_count()) + 1);
-        for (int k = 1; k < int(begins.size()); ++k)
-            begins[std::size_t(k)] = techniques::index_of(drawn.slot_of(k), 0, texel_count);
-        return begins;
-    }
-
     std::span<float> values_, moments_;
-    std::size_t texel_count_;
     Format format_;
     float unit_;
     const DrawnLayers& drawn_;
-    std::vector<std::size_t> plane_begins_;
+    PlaneIndex index_of_;
 };
 
 // First each layer's own optical depth, then the sum of all before: one write a fragment. Sums go
@@ -347,7 +332,7 @@ OnCpu layers_on_cpu(const ShadowInputs& inputs, const DrawnLayers& drawn, const 
                            layers.accumulate(first_texel, last_texel);
                            for (std::size_t texel = first_texel; keeps_start && texel < last_texel;
                                 ++texel)
-                               map.at(texel, {0, 3}) = planes.start(texel);
+                               map.start(texel) = planes.start(texel);
                        });
     };
 }
